@@ -381,7 +381,8 @@ absl::Status Server::StartOperations() {
   }
   if (options_.metrics_listen.empty()) return absl::OkStatus();
   http_.emplace(HttpServer::Pages{.metrics = [this] { return metrics_.Text(); },
-                                  .is_ready = [this] { return IsReady(); }});
+                                  .is_ready = [this] { return IsReady(); },
+                                  .is_alive = [this] { return IsAlive(); }});
   absl::Status status = http_->Start(options_.metrics_listen);
   if (status.ok()) logger_->info("metrics on port {}", http_->port());
   return status;
@@ -408,6 +409,13 @@ void Server::Reload() {
 bool Server::IsReady() {
   std::lock_guard lock(mutex_);
   return !draining_;
+}
+
+bool Server::IsAlive() {
+  // The kernel does not say how many wait at a socket with a path.
+  const std::optional<uint64_t> waiting =
+      SocketPath(options_.listen) ? std::nullopt : WaitingConnections(port_);
+  return accept_watch_.IsServed(waiting.value_or(0), clock_.Now());
 }
 
 void Server::Shutdown(std::chrono::milliseconds grace) {

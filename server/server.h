@@ -24,6 +24,7 @@
 #include "server/engine/jobs/thread_pool.h"
 #include "server/engine/meshes/shared_meshes.h"
 #include "server/engine/query_engine.h"
+#include "server/operations/accept_queue.h"
 #include "server/operations/http_server.h"
 #include "server/operations/metrics.h"
 #include "server/options/options.h"
@@ -105,6 +106,8 @@ class Server {
   absl::Status StartOperations();
   void SetServing(bool serving);
   bool IsReady();
+  // Called from one thread: that of http_.
+  bool IsAlive();
 
   const ServerOptions options_;
   const std::shared_ptr<spdlog::logger> logger_;
@@ -127,6 +130,7 @@ class Server {
   std::optional<TlsCopies> tls_copies_;  // gRPC follows them
   std::unique_ptr<grpc::Server> grpc_server_;
   int port_ = 0;
+  AcceptWatch accept_watch_;
 
   std::stop_source hurry_;  // cuts the grace short
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "client/picture/vector3.h"
+#include "client/places/surface_faces.h"
 
 namespace geodesic::client {
 namespace {
@@ -105,24 +106,19 @@ absl::StatusOr<SurfacePoint> FindOnMesh(const MeshArrays& mesh,
                                         const NearestPoint& wanted) {
   const Frame frame(mesh, wanted.to);
   Nearest nearest;
-  for (uint64_t face = 0; face < mesh.triangles.size(); ++face) {
+  ForEachSurfaceFace(mesh, [&](uint64_t face, const Triangle&) {
     const Triangle& triangle = mesh.triangles[face];
-    // Left out of the surface.
-    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] ||
-        triangle[2] == triangle[0]) {
-      continue;
-    }
     std::array<Vector3, 3> corners;
     for (size_t i = 0; i < 3; ++i) {
       corners[i] = frame.Place(mesh.positions[triangle[i]]);
     }
-    if (LeastSquaredDistance(corners) >= nearest.squared_distance) continue;
+    if (LeastSquaredDistance(corners) >= nearest.squared_distance) return;
     for (size_t i = 0; i < 3; ++i) {
       const size_t j = (i + 1) % 3;
       OfferEdge(corners[i], triangle[i], corners[j], triangle[j], &nearest);
     }
     OfferInside(corners, face, &nearest);
-  }
+  });
   if (!nearest.point.has_value()) {
     return absl::InvalidArgumentError(
         "nearest: the mesh has no faces, so no point of its surface is "
@@ -133,24 +129,24 @@ absl::StatusOr<SurfacePoint> FindOnMesh(const MeshArrays& mesh,
 
 absl::StatusOr<SurfacePoint> FindOnMesh(const MeshArrays& mesh,
                                         const ExtremeVertex& wanted) {
-  if (mesh.triangles.empty()) {
-    return absl::InvalidArgumentError(
-        "min, max: the mesh has no faces, so no vertex of its surface is "
-        "outermost; name a vertex");
-  }
   const auto is_before = [&](uint64_t a, uint64_t b) {
     const double at_a = mesh.positions[a][wanted.axis];
     const double at_b = mesh.positions[b][wanted.axis];
     if (at_a == at_b) return a < b;
     return wanted.is_greatest ? at_a > at_b : at_a < at_b;
   };
-  uint64_t first = mesh.triangles[0][0];
-  for (const Triangle& triangle : mesh.triangles) {
-    for (const uint64_t vertex : triangle) {
-      if (is_before(vertex, first)) first = vertex;
+  std::optional<uint64_t> first;
+  ForEachSurfaceFace(mesh, [&](uint64_t face, const Triangle&) {
+    for (const uint64_t vertex : mesh.triangles[face]) {
+      if (!first.has_value() || is_before(vertex, *first)) first = vertex;
     }
+  });
+  if (!first.has_value()) {
+    return absl::InvalidArgumentError(
+        "min, max: the mesh has no faces, so no vertex of its surface is "
+        "outermost; name a vertex");
   }
-  return VertexPoint{first};
+  return VertexPoint{*first};
 }
 
 }  // namespace geodesic::client

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "absl/strings/str_cat.h"
+#include "client/places/surface_faces.h"
 
 namespace geodesic::client {
 
@@ -22,14 +23,14 @@ Reach::Reach(const MeshArrays& mesh, std::span<const Source> sources)
     }
     return vertex;
   };
-  for (const Triangle& triangle : mesh.triangles) {
+  ForEachSurfaceFace(mesh, [&](uint64_t, const Triangle& triangle) {
     for (const uint32_t vertex : triangle) {
       has_face_[vertex] = true;
       components_[root(vertex)] = root(triangle[0]);
     }
-  }
+  });
   for (const auto& [vertex, into] : mesh.joined) {
-    has_face_[vertex] = true;
+    has_face_[vertex] = has_face_[into];
     components_[root(vertex)] = root(into);
   }
   for (uint32_t v = 0; v < components_.size(); ++v) components_[v] = root(v);

@@ -22,7 +22,7 @@ class Reach {
   // REQUIRES: indices in range.
   Reach(const MeshArrays& mesh, std::span<const Source> sources);
 
-  // Whether it is a vertex that no face has.
+  // Whether it is a vertex that no face of the surface has.
   bool IsIsolated(uint64_t vertex) const;
 
   // Why no path leads to `target`, as the end of a sentence: "it lies in

@@ -22,7 +22,7 @@ from .local import LocalBackend
 from .places import (Curve, FacePoint, Places, Source, Sources, SurfacePoint,
                      to_numbers, to_places, to_sources)
 from .progress import ProgressOption, reporting
-from .reach import faces_and_joins, warn, warn_of_isolated, why_unreached
+from .reach import warn, warn_of_isolated, why_unreached
 from .results import Field, Isoline, LogMap, Path
 from .surface import FaceFinder, PointFinder
 
@@ -495,8 +495,8 @@ class Mesh:
     def _why_unreached(self, sources: Sources, target: Places,
                        radius: float) -> str:
         return why_unreached(
-            self.vertices, faces_and_joins(self.faces, self._backend.reading()),
-            sources, target, radius)
+            self.vertices, self.faces, self._backend.reading(), sources, target,
+            radius)
 
     def isolines(self, source: OneOrManySources, *,
                  levels: Optional[ArrayLike] = None,

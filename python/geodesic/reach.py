@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 import warnings
-from typing import Callable, Optional
+from typing import Callable
 
 import numpy as np
 
@@ -16,19 +16,17 @@ from .places import Places, Sources
 _MOST_NAMED = 3
 
 
-def faces_and_joins(faces: np.ndarray, reading: Reading) -> np.ndarray:
-    """The faces, and one more that ties each joined vertex to the one that it
-    was joined into."""
-    joined = reading[0].astype(faces.dtype)
-    return np.concatenate([faces, joined[:, [0, 1, 1]]])
+def _into(reading: Reading, count: int) -> np.ndarray:
+    """The vertex that each of the `count` vertices was joined into, or itself."""
+    into = np.arange(count)
+    into[reading[0][:, 0]] = reading[0][:, 1]
+    return into
 
 
-def isolated_vertices(faces: np.ndarray, count: int) -> Optional[np.ndarray]:
-    """Which of the `count` vertices no face has, bool (V,); None if there are
-    none."""
-    isolated = np.ones(count, bool)
-    isolated[faces] = False
-    return isolated if isolated.any() else None
+def _surface(faces: np.ndarray) -> np.ndarray:
+    """Those that are part of the surface: that have three vertices."""
+    a, b, c = faces.T
+    return faces[(a != b) & (b != c) & (c != a)]
 
 
 def warn(message: str) -> None:
@@ -84,21 +82,24 @@ def _vertices(places: Places, faces: np.ndarray) -> np.ndarray:
     return vertices
 
 
-def why_unreached(vertices: np.ndarray, faces: np.ndarray, sources: Sources,
-                  target: Places, radius: float) -> str:
+def why_unreached(vertices: np.ndarray, faces: np.ndarray, reading: Reading,
+                  sources: Sources, target: Places, radius: float) -> str:
     """In words, why no path leads to the one place in `target`."""
-    isolated = isolated_vertices(faces, len(vertices))
-    [to] = _vertices(target, faces)
-    starts = _vertices(sources.places, faces)
-    if isolated is not None and isolated[to]:
+    into = _into(reading, len(vertices))
+    faces = into[faces]
+    surface = _surface(faces)
+    isolated = np.ones(len(vertices), bool)
+    isolated[surface] = False
+    [to] = into[_vertices(target, faces)]
+    starts = into[_vertices(sources.places, faces)]
+    if isolated[to]:
         return f"vertex {to} is on no face"
-    if isolated is not None and isolated[starts].all():
+    if isolated[starts].all():
         return f"vertex {starts[0]}, the source, is on no face"
-    there = _component(faces, len(vertices), int(to))
+    there = _component(surface, len(vertices), int(to))
     if not there[starts].any():
-        others = ~there if isolated is None else ~(there | isolated)
         return ("it lies in another component of the mesh" +
-                _seam(vertices, there, others))
+                _seam(vertices, there, ~(there | isolated)))
     if radius < np.inf:
         return f"it is farther than the radius, {radius:g}"
     return "no path leads there"

@@ -147,7 +147,7 @@ py::array_t<double> PositionsOf(const MeshHandle& self,
 py::array_t<int32_t> Triangles(const MeshHandle& self) {
   std::vector<std::array<int32_t, 3>> faces(self.mesh->face_count());
   for (uint32_t f = 0; f < self.mesh->face_count(); ++f) {
-    std::ranges::copy(self.mesh->triangle(f), faces[f].begin());
+    std::ranges::copy(self.mesh->NamedTriangle(f), faces[f].begin());
   }
   return ToArray(std::move(faces));
 }

@@ -40,8 +40,11 @@ MHD_Result Serve(void* data, MHD_Connection* connection, const char* url,
   if (path == "/metrics") {
     return Reply(connection, MHD_HTTP_OK, pages.metrics());
   }
-  // A server that answers is alive.
-  if (path == "/livez") return Reply(connection, MHD_HTTP_OK, "ok\n");
+  if (path == "/livez") {
+    return pages.is_alive() ? Reply(connection, MHD_HTTP_OK, "ok\n")
+                            : Reply(connection, MHD_HTTP_SERVICE_UNAVAILABLE,
+                                    "the server accepts no connections\n");
+  }
   if (path == "/readyz") {
     return pages.is_ready()
                ? Reply(connection, MHD_HTTP_OK, "ok\n")

@@ -22,6 +22,8 @@ class HttpServer {
   struct Pages {
     std::function<std::string()> metrics;
     std::function<bool()> is_ready;
+    // Whether the port that is served accepts connections.
+    std::function<bool()> is_alive;
   };
 
   explicit HttpServer(Pages pages) : pages_(std::move(pages)) {}

@@ -153,6 +153,12 @@ TEST(RetryTest, OnlyWhatMayPassIsTriedAgain) {
   // A limit: no word of when to come again.
   EXPECT_FALSE(WaitToRetry(absl::ResourceExhaustedError("no"), 1, never));
   EXPECT_TRUE(WaitToRetry(absl::UnavailableError("later"), 1, never));
+  // A server that is full says when.
+  google::rpc::RetryInfo retry;
+  retry.mutable_retry_delay()->set_nanos(1'000'000);
+  EXPECT_TRUE(WaitToRetry(
+      FromRpcStatus(Rich(grpc::StatusCode::RESOURCE_EXHAUSTED, "full", retry)),
+      1, never));
 }
 
 TEST(RetryTest, NotForEver) {

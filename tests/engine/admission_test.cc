@@ -197,6 +197,28 @@ TEST_F(OutcomeTest, ASettledOrderAndQuantitiesAreSetAsideToo) {
   ExpectNothingHeld();
 }
 
+TEST_F(OutcomeTest, WhatIsDerivedIsSetAsideToo) {
+  // Beside what the solver needs.
+  const auto set_aside = [&](const FieldRequest& request) {
+    absl::StatusOr<FieldCall> call;
+    uint64_t bytes = 0;
+    at_poll_ = [&] {
+      bytes = engine_.solver_memory().used() -
+              PlannedSolverBytes(*call->mesh->mesh, call->query);
+    };
+    call = Ask(request);
+    EXPECT_TRUE(call.ok()) << call.status();
+    executor_.RunAll();
+    return bytes;
+  };
+  const uint64_t alone = set_aside(Field(0));
+  FieldRequest request = Field(1);
+  request.extras.gradients = true;
+  const uint64_t vertices = geodesic::test::Icosphere(2).positions.size();
+  EXPECT_GE(set_aside(request), alone + vertices * sizeof(Point));
+  ExpectNothingHeld();
+}
+
 TEST_F(OutcomeTest, AMatrixGivesEachRowBack) {
   auto call = AskForMatrix(0, 4);
   ASSERT_TRUE(call.ok()) << call.status();

@@ -115,7 +115,7 @@ TEST_F(HeldRequestsTest, NoClientTakesAllRequests) {
   options.token_file = folder / "tokens.json";
   const auto entry = [](const std::string& name) {
     return absl::StrCat(R"({"name": ")", name,
-                        R"(", "scopes": ["read", "write"], "sha256": ")",
+                        R"(", "scopes": ["read", "upload"], "sha256": ")",
                         Sha256Hex(name), R"("})");
   };
   std::ofstream(options.token_file) << absl::StrCat(

@@ -1,5 +1,8 @@
 // sample: vertices far from each other.
 
+#include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +15,7 @@
 #include "client/cli/commands/stopwatch.h"
 #include "client/output/field_writers.h"
 #include "client/output/number_text.h"
+#include "client/places/surface_faces.h"
 
 namespace geodesic::client {
 namespace {
@@ -105,11 +109,33 @@ Report ReportOf(const Session& session, const SampleAnswer& answer,
   return report;
 }
 
+// The first vertex of the surface: from others nothing is reached.
+absl::StatusOr<uint64_t> FirstOnSurface(const Session& session,
+                                        const std::string& mesh_digest) {
+  const absl::StatusOr<MeshInfo> info =
+      session.client.GetMesh(mesh_digest, session.call);
+  // A sibling of the server may have it, which the question fetches.
+  if (absl::IsNotFound(info.status())) return 0;
+  if (!info.ok()) return info.status();
+  if (info->isolated_vertex_count == 0) return 0;
+  const absl::StatusOr<MeshArrays> mesh =
+      session.client.ReadMesh(mesh_digest, session.call);
+  if (!mesh.ok()) return mesh.status();
+  uint64_t first = std::numeric_limits<uint64_t>::max();
+  ForEachSurfaceFace(*mesh, [&first](uint64_t, const Triangle& corners) {
+    first = std::min<uint64_t>(first, std::ranges::min(corners));
+  });
+  return first;
+}
+
 absl::Status Answer(const SampleArguments& arguments, const Session& session,
                     const Question& asked) {
   Question question = asked;
   if (question.sources.empty()) {
-    question.sources.push_back({.place = VertexPoint{0}});
+    const absl::StatusOr<uint64_t> first =
+        FirstOnSurface(session, question.mesh_digest);
+    if (!first.ok()) return first.status();
+    question.sources.push_back({.place = VertexPoint{*first}});
   }
   auto query = MakeQuery<SampleQuery>(arguments, question);
   query.count = arguments.count;

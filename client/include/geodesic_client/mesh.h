@@ -25,8 +25,8 @@ using Triangle = std::array<uint32_t, 3>;
 struct MeshArrays {
   std::vector<Point> positions;
   std::vector<Triangle> triangles;
-  // Vertices that repeat others, each with the one whose place it takes; no
-  // triangle names them. Of meshes that a server has read; uploads take none.
+  // Vertices that repeat others, each with the one whose place it takes, by
+  // rising numbers. Of meshes that a server has read; uploads take none.
   std::vector<std::array<uint32_t, 2>> joined = {};
 };
 

@@ -41,8 +41,9 @@ struct Welding {
 // Errors: INVALID_ARGUMENT for a distance that is negative or not finite.
 absl::Status Validate(const Welding& welding);
 
-// Joins edges of the soup, whose triangles then name the least of the vertices
-// that were joined; soup.reading says which. An edge is joined to others of
+// Joins edges of the soup: soup.reading says which vertices become the least of
+// those at their place. Edges inside a sheet stay apart, though both ends be
+// joined to those of another one. An edge is joined to others of
 // other faces that are at least eight times as long as their ends are apart
 // (twice, where a distance is given), so no face collapses by itself. Does
 // nothing to a soup whose triangles name vertices that are not there.

@@ -95,6 +95,10 @@ class Mesh {
   const Triangle& triangle(uint32_t face) const {
     return triangles_[slots_[face]];
   }
+  // The same as the caller named them, before any were joined.
+  const Triangle& NamedTriangle(uint32_t face) const {
+    return named_.empty() ? triangle(face) : named_[face];
+  }
 
   // Whether the face names a vertex twice, and so is no part of the surface.
   bool IsLeftOut(uint32_t face) const {
@@ -226,7 +230,7 @@ class Mesh {
     kNonManifold = 8,
   };
 
-  explicit Mesh(TriangleSoup soup);
+  Mesh(TriangleSoup soup, std::vector<Triangle> named);
   Exit Beyond(HalfEdge h) const { return frames_[Next(h)].left_exit; }
   // The half-edges at an irregular edge, in order.
   std::span<const HalfEdge> IrregularEdgeAt(Exit exit) const {
@@ -249,6 +253,7 @@ class Mesh {
                         const ConeAngles& angles);
 
   Reading reading_;
+  std::vector<Triangle> named_;  // by face; empty if no vertex was joined
   uint32_t half_edge_count_ = 0;
   std::vector<Point> positions_;
   std::vector<uint32_t> faces_;                 // face in each slot

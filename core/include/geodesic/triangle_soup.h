@@ -19,7 +19,7 @@ using Triangle = std::array<uint32_t, 3>;
 // A vertex that a file repeats, and the vertex whose place it takes.
 struct JoinedVertex {
   uint32_t vertex = 0;
-  uint32_t into = 0;  // below `vertex`, and joined into none
+  uint32_t into = 0;  // below `vertex`, and itself joined into none
 
   friend bool operator==(const JoinedVertex&, const JoinedVertex&) = default;
 };
@@ -27,8 +27,8 @@ struct JoinedVertex {
 // What was joined or guessed when faces became triangles. It is part of a
 // mesh's identity.
 struct Reading {
-  // In order of `vertex`. No triangle names a vertex that was joined; it has
-  // the answers of the one that it was joined into.
+  // In order of `vertex`. Triangles go on naming what the file names; a mesh
+  // takes the vertex that it was joined into, and gives both the same answers.
   std::vector<JoinedVertex> joined;
   // Edges along which faces meet that the file keeps apart.
   uint64_t seam_edges = 0;

@@ -54,9 +54,10 @@ absl::Status CloseEdges::Find(uint32_t edge, Checkpoint& checkpoint,
   const Point cube = CubeOf(Middle(edges_[edge]));
   for (int step = 0; step < 27; ++step) {
     // + 0.0: -0 and 0 are one number.
-    const auto found = last_.find({cube[0] + step % 3 - 1 + 0.0,
-                                   cube[1] + step / 3 % 3 - 1 + 0.0,
-                                   cube[2] + step / 9 - 1 + 0.0});
+    const int row = step / 3 % 3, layer = step / 9;
+    const auto found =
+        last_.find({cube[0] + step % 3 - 1 + 0.0, cube[1] + row - 1 + 0.0,
+                    cube[2] + layer - 1 + 0.0});
     if (found == last_.end()) continue;
     for (uint32_t other = found->second; other != kNone;
          other = before_[other]) {

@@ -97,7 +97,48 @@ class EdgeMatcher {
           rest, [&](const Side& side) { return side.upper != rest[0].upper; });
       const std::span<const Side> edge(rest.begin(), end);
       rest = {end, rest.end()};
-      if (!IsRegular(edge)) AddIrregularEdge(edge);
+      if (IsRegular(edge)) continue;
+      if (incidence_.named.empty()) {
+        AddIrregularEdge(edge);
+      } else {
+        AddEdgesApart(edge);
+      }
+    }
+  }
+
+  // Sides that have the same ends by what was joined: edges inside sheets, by
+  // the ends that they had, and one seam of all that were boundaries.
+  void AddEdgesApart(std::span<const Side> sides) {
+    std::vector<Side> by_name(sides.begin(), sides.end());
+    const auto named_ends = [this](const Side& side) {
+      return incidence_.NamedEnds(side.half_edge);
+    };
+    std::ranges::stable_sort(by_name, {}, named_ends);
+    std::vector<Side> seam;
+    for (std::span<const Side> rest = by_name; !rest.empty();) {
+      const auto end = std::ranges::find_if(rest, [&](const Side& side) {
+        return named_ends(side) != named_ends(rest[0]);
+      });
+      const std::span<const Side> edge(rest.begin(), end);
+      rest = {end, rest.end()};
+      if (edge.size() > 1) {
+        AddEdge(edge);
+      } else {
+        seam.push_back(edge[0]);
+      }
+    }
+    std::ranges::sort(seam);
+    if (!seam.empty()) AddEdge(seam);
+  }
+
+  void AddEdge(std::span<const Side> edge) {
+    if (!IsRegular(edge)) {
+      AddIrregularEdge(edge);
+    } else if (edge.size() == 1) {
+      result_.exits[edge[0].half_edge] = kNoHalfEdge;
+    } else {
+      result_.exits[edge[0].half_edge] = edge[1].half_edge;
+      result_.exits[edge[1].half_edge] = edge[0].half_edge;
     }
   }
 

@@ -3,8 +3,10 @@
 #ifndef GEODESIC_MESH_CONNECTIVITY_H_
 #define GEODESIC_MESH_CONNECTIVITY_H_
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geodesic/mesh.h"
@@ -17,6 +19,10 @@ struct Incidence {
   std::span<const Triangle> triangles;
   std::span<const uint32_t> outgoing_begin;
   std::span<const HalfEdge> outgoing;
+  // Where vertices were joined, what the faces named before, and their numbers:
+  // those of triangles[i] are named[faces[i]]. Else empty.
+  std::span<const Triangle> named;
+  std::span<const uint32_t> faces;
 
   uint32_t vertex_count() const { return outgoing_begin.size() - 1; }
   std::span<const HalfEdge> Outgoing(uint32_t v) const {
@@ -24,6 +30,11 @@ struct Incidence {
                             outgoing_begin[v + 1] - outgoing_begin[v]);
   }
   uint32_t From(HalfEdge h) const { return triangles[h / 3][h % 3]; }
+  // The ends of h as they were named, the lower one first.
+  std::pair<uint32_t, uint32_t> NamedEnds(HalfEdge h) const {
+    const Triangle& corners = named[faces[h / 3]];
+    return std::minmax({corners[h % 3], corners[(h + 1) % 3]});
+  }
 };
 
 struct Connectivity {
@@ -38,7 +49,9 @@ struct Connectivity {
   std::vector<uint8_t> is_closed_fan;
 };
 
-// REQUIRES: indices below vertex_count(), no face repeats a vertex.
+// Sides with the same ends are one edge. Where vertices were joined, those that
+// had the same ends before are one, and those that had none beside them
+// another. REQUIRES: indices below vertex_count(), no face repeats a vertex.
 // O(V + F) time, and O(F log F) at the irregular edges' ends, whatever the
 // valence (OpenMesh's add_face walks around vertices, which is quadratic in the
 // valence of a hostile fan).

@@ -120,6 +120,10 @@ class Seams {
     // The number of each place, and the first edge between two of them.
     absl::flat_hash_map<Point, uint32_t> places;
     absl::flat_hash_map<std::pair<uint32_t, uint32_t>, uint32_t> firsts;
+    // A corner at each place where a boundary edge ends that has a length; and
+    // the edges that have none.
+    absl::flat_hash_map<uint32_t, uint32_t> corner_of;
+    std::vector<uint32_t> points;
     const auto place_of = [&](uint32_t v) {
       return places
           .try_emplace(soup_.positions[v], static_cast<uint32_t>(places.size()))
@@ -129,10 +133,25 @@ class Seams {
       if (absl::Status status = Poll(i); !status.ok()) return status;
       const auto& [low, high] = boundary_.edges()[i];
       const uint32_t from = place_of(low), to = place_of(high);
+      if (from == to) {
+        points.push_back(i);
+        continue;
+      }
+      corner_of.try_emplace(from, low);
+      corner_of.try_emplace(to, high);
       const auto [first, is_new] = firsts.try_emplace(std::minmax(from, to), i);
       if (is_new) continue;
       Join(i, first->second,
            from != place_of(boundary_.edges()[first->second].low));
+    }
+    // A side without length is part of the corner where it lies: its face,
+    // which has no area, is left out.
+    for (const uint32_t i : points) {
+      const auto& [low, high] = boundary_.edges()[i];
+      const auto corner = corner_of.find(place_of(low));
+      if (corner == corner_of.end()) continue;
+      vertices_.Join(low, corner->second);
+      vertices_.Join(high, corner->second);
     }
     return absl::OkStatus();
   }
@@ -202,9 +221,6 @@ class Seams {
         soup_.reading.joined.push_back({v, into});
       }
     }
-    for (Triangle& corners : soup_.triangles) {
-      for (uint32_t& v : corners) v = vertices_.Find(v);
-    }
   }
 
  private:
@@ -243,7 +259,7 @@ class Seams {
 // sets, the places, the edges between these, and the grid, in tables that are
 // at least 7/16 full.
 constexpr uint64_t kBytesAVertex = 4 + 4 + sizeof(JoinedVertex);
-constexpr uint64_t kBytesAnEdge = 24 + 4 + 2 * (32 + 16) + 16 + 2 * 40;
+constexpr uint64_t kBytesAnEdge = 24 + 4 + 2 * (32 + 16) + 16 + 2 * 40 + 2 * 20;
 
 // Tells of a soup's bytes, too, where it tells of bytes.
 class WithSoup final : public Checkpoint {

@@ -122,14 +122,34 @@ absl::Status CheckSoup(const TriangleSoup& soup) {
       }
     }
   }
-  if (absl::Status status = CheckJoined(soup); !status.ok()) return status;
-  if (std::ranges::all_of(soup.triangles, RepeatsVertex)) {
-    return absl::InvalidArgumentError(absl::StrCat(
-        "each of the mesh's ", faces,
-        " faces names a vertex twice, as joined: there is no surface to "
-        "measure on"));
+  return CheckJoined(soup);
+}
+
+// Lets the faces name the vertices that others were joined into. Returns what
+// they named before; nothing if none were.
+std::vector<Triangle> NameJoined(TriangleSoup& soup) {
+  if (soup.reading.joined.empty()) return {};
+  std::vector<Triangle> named = soup.triangles;
+  std::vector<uint32_t> into(soup.positions.size());
+  std::iota(into.begin(), into.end(), 0u);
+  for (const JoinedVertex& joined : soup.reading.joined) {
+    into[joined.vertex] = joined.into;
   }
-  return absl::OkStatus();
+  for (Triangle& corners : soup.triangles) {
+    for (uint32_t& v : corners) v = into[v];
+  }
+  return named;
+}
+
+absl::Status CheckSurface(const TriangleSoup& soup) {
+  if (!std::ranges::all_of(soup.triangles, RepeatsVertex)) {
+    return absl::OkStatus();
+  }
+  return absl::InvalidArgumentError(
+      absl::StrCat("each of the mesh's ", soup.triangles.size(),
+                   " faces names a vertex twice",
+                   soup.reading.joined.empty() ? "" : ", as joined",
+                   ": there is no surface to measure on"));
 }
 
 // The exponent e for which the mesh's longest extent lies in [2^(e-1), 2^e).
@@ -224,12 +244,14 @@ absl::StatusOr<std::shared_ptr<const Mesh>> Mesh::Build(TriangleSoup soup) {
 absl::StatusOr<std::shared_ptr<const Mesh>> Mesh::Build(
     TriangleSoup soup, Checkpoint& checkpoint) {
   if (absl::Status status = CheckSoup(soup); !status.ok()) return status;
+  std::vector<Triangle> named = NameJoined(soup);
+  if (absl::Status status = CheckSurface(soup); !status.ok()) return status;
   if (absl::Status status = checkpoint.Poll({}); !status.ok()) return status;
-  std::shared_ptr<Mesh> mesh(new Mesh(std::move(soup)));
+  std::shared_ptr<Mesh> mesh(new Mesh(std::move(soup), std::move(named)));
   if (absl::Status status = checkpoint.Poll({}); !status.ok()) return status;
   Connectivity connectivity = FindConnectivity(
       {std::span(mesh->triangles_).first(mesh->half_edge_count() / 3),
-       mesh->outgoing_begin_, mesh->outgoing_});
+       mesh->outgoing_begin_, mesh->outgoing_, mesh->named_, mesh->faces_});
   mesh->irregular_begin_ = std::move(connectivity.irregular_begin);
   mesh->irregular_half_edges_ = std::move(connectivity.irregular_half_edges);
   mesh->irregular_begin_.shrink_to_fit();
@@ -292,6 +314,7 @@ void Mesh::FindCopies() {
 
 uint64_t Mesh::resident_bytes() const {
   return sizeof(Mesh) + reading_.joined.capacity() * sizeof(JoinedVertex) +
+         named_.capacity() * sizeof(Triangle) +
          positions_.capacity() * sizeof(Point) +
          (faces_.capacity() + slots_.capacity()) * sizeof(uint32_t) +
          triangles_.capacity() * sizeof(Triangle) +
@@ -303,8 +326,9 @@ uint64_t Mesh::resident_bytes() const {
          copies_.capacity() / 8;
 }
 
-Mesh::Mesh(TriangleSoup soup)
-    : faces_(FacesAlongCurve(soup)),
+Mesh::Mesh(TriangleSoup soup, std::vector<Triangle> named)
+    : named_(std::move(named)),
+      faces_(FacesAlongCurve(soup)),
       slots_(faces_.size()),
       scale_exponent_(ScaleExponent(soup.positions)) {
   half_edge_count_ = 3 * static_cast<uint32_t>(faces_.size());

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
@@ -12,6 +13,7 @@
 #include "mesh/close_edges.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/locality.h"
+#include "surface/surface_location.h"
 #include "tolerances.h"
 
 namespace geodesic {
@@ -185,6 +187,10 @@ double RoundedUp(double x) {
 // Where more edges lie together than this, some that are close may go untold.
 constexpr uint32_t kMostCompared = 64;
 
+bool AreNeighbours(const Mesh& mesh, uint32_t a, uint32_t b) {
+  return VisitSides(mesh, a, b, [](HalfEdge) { return true; });
+}
+
 // Counts boundary edges that were perhaps meant to be joined.
 void CountCloseEdges(const Mesh& mesh, std::span<const HalfEdge> boundary,
                      MeshSummary& summary) {
@@ -206,10 +212,13 @@ void CountCloseEdges(const Mesh& mesh, std::span<const HalfEdge> boundary,
   for (uint32_t i = 0; i < edges.size(); ++i) {
     pairs.clear();
     (void)grid.Find(i, checkpoint, pairs, kMostCompared);
-    // The sides of one face are no seam.
+    // Neighbours are not joined: a face would lose a side.
     std::erase_if(pairs, [&](const ClosePair& pair) {
-      return mesh.FaceOf(boundary[pair.first]) ==
-             mesh.FaceOf(boundary[pair.second]);
+      VertexPair from = edges[pair.first];
+      const VertexPair& to = edges[pair.second];
+      if (pair.is_turned) std::swap(from.low, from.high);
+      return AreNeighbours(mesh, from.low, to.low) ||
+             AreNeighbours(mesh, from.high, to.high);
     });
     if (pairs.empty()) continue;
     ++summary.close_edges;

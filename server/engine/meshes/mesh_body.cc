@@ -80,7 +80,7 @@ absl::Status WriteMeshBody(
   for (uint32_t face = 0; status.ok() && face < mesh.face_count();) {
     piece.clear();
     for (; face < mesh.face_count() && piece.size() < kPiece; ++face) {
-      piece.push_back(mesh.triangle(face));
+      piece.push_back(mesh.NamedTriangle(face));
     }
     status = append(AsBytes(piece));
   }

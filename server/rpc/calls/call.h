@@ -132,11 +132,13 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
 
   void OnDone() override {
     std::shared_ptr<Call> self;
+    std::optional<grpc::Alarm> watch;
     std::lock_guard lock(mutex_);
     entry_.reset();
     bytes_.Clear();
-    taking_watch_.reset();
-    // The lock is released before `self`, which may be the last reference.
+    // The lock is released before these: `self` may be the last reference, and
+    // the end of an alarm may wait for OnTakingWatch.
+    watch = std::exchange(taking_watch_, std::nullopt);
     self = std::move(self_);
   }
 

@@ -57,7 +57,9 @@ absl::StatusOr<NextMessage> MeshStream::Fill(v1::ReadMeshResponse& message) {
     chunk.set_first_face(next_face_);
     next_face_ = FillChunk(
         mesh.face_count(), next_face_,
-        [&](uint64_t face) -> const Triangle& { return mesh.triangle(face); },
+        [&](uint64_t face) -> const Triangle& {
+          return mesh.NamedTriangle(face);
+        },
         *chunk.mutable_indices());
     entry().add_bytes(chunk.indices().size());
     // A mesh has at least one face.

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "geodesic/algorithm.h"
 #include "geodesic/mesh.h"
 #include "geodesic/mesh_summary.h"
 #include "geodesic/read_mesh.h"
@@ -95,10 +96,12 @@ TEST(JoinSeamsTest, ASquareInTwoPieces) {
       {.positions =
            {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}},
        .triangles = {{0, 1, 2}, {4, 3, 5}}});
-  EXPECT_THAT(soup.triangles,
-              ElementsAre(Triangle{0, 1, 2}, Triangle{2, 1, 5}));
   EXPECT_THAT(soup.reading.joined,
               ElementsAre(JoinedVertex{3, 1}, JoinedVertex{4, 2}));
+  const auto mesh = Mesh::Build(soup);
+  ASSERT_TRUE(mesh.ok()) << mesh.status();
+  EXPECT_EQ((*mesh)->triangle(1), (Triangle{2, 1, 5}));
+  EXPECT_EQ((*mesh)->NamedTriangle(1), (Triangle{4, 3, 5}));
   EXPECT_EQ(soup.reading.seam_edges, 1u);
   EXPECT_THAT(soup.positions, SizeIs(6));
 }
@@ -237,6 +240,114 @@ TEST(JoinSeamsTest, AnyNumberOfSheetsMeetsInASeam) {
               .triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}}});
   EXPECT_EQ(soup.reading.seam_edges, 1u);
   EXPECT_EQ(SummaryOf(soup).non_manifold_edges, 1u);
+}
+
+// Two sheets that lie on each other, turned away from each other, as programs
+// write leaves: they meet at the rim alone, also where an edge inside each of
+// them leads from rim to rim.
+TEST(JoinSeamsTest, TwoSidedSheetsMeetAtTheRim) {
+  // A unit square, each side cut along the same diagonal.
+  const TriangleSoup leaf =
+      Joined({.positions = {{0, 0, 0},
+                            {1, 0, 0},
+                            {1, 1, 0},
+                            {0, 1, 0},
+                            {0, 0, 0},
+                            {1, 0, 0},
+                            {1, 1, 0},
+                            {0, 1, 0}},
+              .triangles = {{0, 1, 2}, {0, 2, 3}, {6, 5, 4}, {7, 6, 4}}});
+  const MeshSummary summary = SummaryOf(leaf);
+  EXPECT_EQ(summary.seam_edges, 4u);
+  EXPECT_EQ(summary.edges, 6u);
+  EXPECT_EQ(summary.boundary_edges, 0u);
+  EXPECT_EQ(summary.non_manifold_edges, 0u);
+  EXPECT_EQ(summary.genus, 0);
+  const auto mesh = Mesh::Build(leaf);
+  ASSERT_TRUE(mesh.ok()) << mesh.status();
+  // From (0.65, 0.4) to the same place behind: over the rim, 0.35 away. The
+  // diagonal is nearer.
+  for (const AlgorithmInfo& info : kAlgorithms) {
+    const auto field =
+        Solve(**mesh, {.sources = {{FacePoint{0, {0.35, 0.25, 0.4}}}},
+                       .targets = {FacePoint{2, {0.4, 0.25, 0.35}}},
+                       .algorithm = info.algorithm});
+    ASSERT_TRUE(field.ok()) << field.status();
+    EXPECT_NEAR(field->target_distances[0], 0.7, 1e-14) << info.name;
+  }
+}
+
+// The same of many faces: from behind, everything is as far as by the rim.
+TEST(JoinSeamsTest, TwoSidedGridsMeetAtTheRim) {
+  constexpr uint32_t kSide = 5;
+  TriangleSoup soup = test::MakeGrid({.columns = kSide - 1, .rows = kSide - 1});
+  const auto count = static_cast<uint32_t>(soup.positions.size());
+  ASSERT_EQ(count, kSide * kSide);
+  const std::vector<Point> front = soup.positions;
+  const std::vector<Triangle> triangles = soup.triangles;
+  soup.positions.insert(soup.positions.end(), front.begin(), front.end());
+  for (const auto& [a, b, c] : triangles) {
+    soup.triangles.push_back({c + count, b + count, a + count});
+  }
+  const auto mesh = Mesh::Build(Joined(std::move(soup)));
+  ASSERT_TRUE(mesh.ok()) << mesh.status();
+  EXPECT_EQ(Summarize(**mesh).non_manifold_edges, 0u);
+  for (uint32_t source = 0; source < count; ++source) {
+    const auto field = Solve(**mesh, {.sources = {{VertexPoint{source}}}});
+    ASSERT_TRUE(field.ok()) << field.status();
+    for (uint32_t v = 0; v < count; ++v) {
+      // Unfolded over one of the sides.
+      const Point& from = front[source];
+      const Point& to = front[v];
+      double expected = kInfinity;
+      for (int axis = 0; axis < 2; ++axis) {
+        const double high = std::ranges::max_element(front, {}, [&](auto& p) {
+                              return p[axis];
+                            })->at(axis);
+        const double along = to[1 - axis] - from[1 - axis];
+        expected =
+            std::min({expected, std::hypot(from[axis] + to[axis], along),
+                      std::hypot(2 * high - from[axis] - to[axis], along)});
+      }
+      EXPECT_NEAR(field->distances[count + v], expected, 1e-13)
+          << source << " to behind " << v;
+    }
+  }
+}
+
+// A triangle without extent at a corner of a square in two pieces.
+TEST(JoinSeamsTest, AFaceWithoutExtentIsPartOfItsPlace) {
+  const TriangleSoup soup =
+      Joined({.positions = {{0, 0, 0},
+                            {1, 0, 0},
+                            {1, 1, 0},
+                            {0, 0, 0},
+                            {1, 1, 0},
+                            {0, 1, 0},
+                            {1, 1, 0},
+                            {1, 1, 0},
+                            {1, 1, 0}},
+              .triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}}});
+  const auto mesh = Mesh::Build(soup);
+  ASSERT_TRUE(mesh.ok()) << mesh.status();
+  EXPECT_THAT(
+      Notes(Summarize(**mesh)),
+      ElementsAre("joined 1 seam edge",
+                  "left out 1 triangle, where a vertex is named twice"));
+  const auto field = Solve(**mesh, {.sources = {{VertexPoint{0}}}});
+  ASSERT_TRUE(field.ok()) << field.status();
+  for (const uint32_t v : {2, 4, 6, 7, 8}) {
+    EXPECT_NEAR(field->distances[v], std::numbers::sqrt2, 1e-15) << v;
+  }
+}
+
+TEST(JoinSeamsTest, SidesOfOnePieceAreNotTold) {
+  // A ribbon; its long sides are near each other, for their length.
+  EXPECT_EQ(
+      SummaryOf({.positions = {{0, 0, 0}, {100, 0, 0}, {100, 1, 0}, {0, 1, 0}},
+                 .triangles = {{0, 1, 2}, {0, 2, 3}}})
+          .close_edges,
+      0u);
 }
 
 TEST(JoinSeamsTest, AFaceKeepsItsSides) {

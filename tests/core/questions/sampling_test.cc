@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -78,6 +80,22 @@ TEST_P(Sampling, TiesGoToTheLowestNumber) {
   ExpectFarthest({"icosphere", Icosphere(2)}, {{VertexPoint{0}}}, 6);
   ExpectFarthest({"regular grid", MakeGrid({.columns = 8, .rows = 8})},
                  {{VertexPoint{40}}}, 9);
+}
+
+// Rounding puts some of the rim's vertices a little farther away than the
+// first.
+TEST_P(Sampling, TiesAreThoseWithinRounding) {
+  constexpr uint32_t kRim = 100;
+  TriangleSoup disc{.positions = {{0, 0, 0}}};
+  for (uint32_t i = 0; i < kRim; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kRim;
+    disc.positions.push_back({3 * std::cos(angle), 3 * std::sin(angle), 0});
+    disc.triangles.push_back({0, 1 + i, 1 + (i + 1) % kRim});
+  }
+  const auto mesh = BuildOrFail({"disc", disc});
+  const std::vector<double> distances = SolveOn(*mesh, {{VertexPoint{0}}});
+  ASSERT_GT(std::ranges::max(distances), distances[1]);
+  EXPECT_EQ(Sample(*mesh, {{VertexPoint{0}}}, 1)[0].vertex, 1);
 }
 
 TEST_P(Sampling, ComponentsWithoutASourceComeFirst) {

@@ -356,8 +356,12 @@ class Subject {
   Intake intake_{{.patience = std::chrono::hours(24), .memory_bytes = 1 << 22}};
   const Peers peers_;
   const ServiceContext service_{
-      engine_, log_, intake_, peers_,
-      MakeCapabilities(engine_.limits(), 1 << 22, "1")};
+      engine_,
+      log_,
+      intake_,
+      peers_,
+      MakeCapabilities(engine_.limits(), 1 << 22, "1"),
+      std::chrono::hours(24)};
   std::vector<std::string> digests_;
   std::vector<Call> calls_;
 };

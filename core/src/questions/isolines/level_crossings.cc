@@ -200,12 +200,13 @@ LevelCrossings::Range LevelCrossings::CrossingsOf(
   const auto [begin, end] = LevelsOn(h, distances);
   if (begin == end) return {};
   const auto [low, high] = std::minmax({mesh_.From(h), mesh_.To(h)});
-  const std::vector<HalfEdge> sides = SidesOf(mesh_, low, high);
-  const HalfEdge edge = *std::ranges::min_element(sides);
+  const HalfEdge edge = mesh_.FirstOfEdge(h);
   const auto [known, is_new] = edges_.try_emplace(edge);
   if (!is_new) return known->second;
   Range& range = known->second;
   range.begin = crossings_.size();
+  std::vector<HalfEdge> sides = {h};
+  mesh_.ForEachBeyond(h, [&](HalfEdge other, bool) { sides.push_back(other); });
   const std::vector<Way> ways = WaysTo(sides, low, distances);
   for (size_t level = begin; level < end; ++level) {
     for (const double x :
