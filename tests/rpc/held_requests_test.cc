@@ -66,7 +66,7 @@ TEST_F(HeldRequestsTest, WhoTakesNothingIsCutOff) {
 
 TEST_F(HeldRequestsTest, WhoTakesALittleNowAndThenGetsAll) {
   ServerOptions options = Watched();
-  options.send_patience = std::chrono::seconds(4);
+  options.send_patience = std::chrono::seconds(3);
   Start(options);
   const std::string digest = Upload(geodesic::test::Icosphere(7));
   // From the cache, so without progress, of which a client holds much that it
@@ -80,7 +80,7 @@ TEST_F(HeldRequestsTest, WhoTakesALittleNowAndThenGetsAll) {
   }
   const grpc::Status status = call->reader->Finish();
   EXPECT_TRUE(status.ok()) << status.error_message();
-  EXPECT_GT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(4));
+  EXPECT_GT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(3));
 }
 
 TEST_F(HeldRequestsTest, ADeadlineIsCountedAsOne) {
