@@ -149,6 +149,18 @@ TEST(ExtremeVertexTest, TheFirstOfSeveralOnTheSurface) {
   EXPECT_EQ(find(2, true), SurfacePoint(VertexPoint{0}));
 }
 
+TEST(ExtremeVertexTest, LeftOutFacesDoNotCount) {
+  // The last two faces name a vertex twice, the second once 5 is joined into 4.
+  const MeshArrays mesh = {
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {9, 9, 9}, {8, 8, 8}, {8, 8, 8}},
+      {{0, 1, 2}, {3, 3, 0}, {4, 5, 0}},
+      {{5, 4}}};
+  EXPECT_EQ(*FindOnMesh(mesh, ExtremeVertex{0, true}),
+            SurfacePoint(VertexPoint{1}));
+  EXPECT_EQ(*FindOnMesh(mesh, NearestPoint{{9, 0, 0}}),
+            SurfacePoint(VertexPoint{1}));
+}
+
 TEST(FindOnMeshTest, NamesWhatTheMeshLacks) {
   const MeshArrays points = {{{0, 0, 0}}, {}};
   const absl::Status no_faces =

@@ -52,6 +52,24 @@ TEST(ReachTest, SaysWhy) {
             "paths pass");
 }
 
+// Vertex 3 was joined into 1, and 5 into 4, which only faces name that are left
+// out, one of them as it was joined.
+TEST(ReachTest, LeftOutFacesHoldNothing) {
+  const MeshArrays mesh = {
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {5, 5, 5}, {5, 5, 5}},
+      {{0, 3, 2}, {4, 4, 0}, {4, 5, 2}},
+      {{3, 1}, {5, 4}}};
+  Reach reach(mesh, std::vector<Source>{{VertexPoint{0}}});
+  for (const uint64_t vertex : {0, 1, 2, 3}) {
+    EXPECT_FALSE(reach.IsIsolated(vertex)) << vertex;
+    EXPECT_EQ(reach.WhyUnreached(VertexPoint{vertex}, "of a limit"),
+              "of a limit");
+  }
+  for (const uint64_t vertex : {4, 5}) {
+    EXPECT_TRUE(reach.IsIsolated(vertex)) << vertex;
+  }
+}
+
 TEST(ReachTest, PlacesThatTheMeshDoesNotHaveDoNoHarm) {
   EXPECT_EQ(Why({{VertexPoint{99}}}, FacePoint{99, {1, 0, 0}}), "of a limit");
   const MeshArrays mesh = Triangles();
