@@ -198,6 +198,8 @@ void CountCloseEdges(const Mesh& mesh, std::span<const HalfEdge> boundary,
   edges.reserve(boundary.size());
   double length = 0;
   for (const HalfEdge h : boundary) {
+    // No seam is made of sides without length.
+    if (mesh.frame(h).length == 0) continue;
     const auto [low, high] = std::minmax({mesh.From(h), mesh.To(h)});
     edges.push_back({low, high});
     length += std::ldexp(mesh.frame(h).length, mesh.scale_exponent());

@@ -341,6 +341,14 @@ TEST(JoinSeamsTest, AFaceWithoutExtentIsPartOfItsPlace) {
   }
 }
 
+TEST(JoinSeamsTest, SidesWithoutLengthAreNotTold) {
+  // Two triangles in one point.
+  EXPECT_EQ(SummaryOf({.positions = std::vector<Point>(6, Point{1, 2, 3}),
+                       .triangles = {{0, 1, 2}, {3, 4, 5}}})
+                .close_edges,
+            0u);
+}
+
 TEST(JoinSeamsTest, SidesOfOnePieceAreNotTold) {
   // A ribbon; its long sides are near each other, for their length.
   EXPECT_EQ(
