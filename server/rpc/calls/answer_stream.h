@@ -92,7 +92,7 @@ class AnswerStream : public Call<ResponseType> {
     this->OnTaken();
     if (!ok) {
       // The stream is broken; OnCancel tells the engine.
-      this->End(absl::CancelledError("the client is gone"));
+      this->EndCancelled();
       return;
     }
     Advance();
