@@ -43,10 +43,11 @@ absl::Status Validate(const Welding& welding);
 
 // Joins edges of the soup: soup.reading says which vertices become the least of
 // those at their place. Edges inside a sheet stay apart, though both ends be
-// joined to those of another one. An edge is joined to others of
-// other faces that are at least eight times as long as their ends are apart
-// (twice, where a distance is given), so no face collapses by itself. Does
-// nothing to a soup whose triangles name vertices that are not there.
+// joined to those of another one. An edge is joined to others of other faces
+// that are at least eight times as long as their ends are apart (twice, where a
+// distance is given), so no face with a size collapses by itself; a side
+// without length becomes the corner where it lies. Does nothing to a soup whose
+// triangles name vertices that are not there.
 // O(V + F), and O(B log B) with B boundary edges of which few are close to each
 // other; reads each boundary edge's surroundings only. Tells the checkpoint of
 // its bytes and the soup's (Progress::solver_bytes) before it takes them.

@@ -256,8 +256,8 @@ class Seams {
 };
 
 // At the most, with what BoundaryEdges holds: the sets and what was joined; the
-// sets, the places, the edges between these, and the grid, in tables that are
-// at least 7/16 full.
+// sets, the places, the edges between these, the corners, and the grid, in
+// tables that are at least 7/16 full.
 constexpr uint64_t kBytesAVertex = 4 + 4 + sizeof(JoinedVertex);
 constexpr uint64_t kBytesAnEdge = 24 + 4 + 2 * (32 + 16) + 16 + 2 * 40 + 2 * 20;
 
