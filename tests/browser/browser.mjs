@@ -86,6 +86,14 @@ export class Viewer {
     });
   }
 
+  /**
+   * The page's address with all that was asked. The browser's own word of it may lag behind, and the
+   * page writes it once in 100 ms at the most: such a timer, set after its own, ends after it.
+   */
+  address() {
+    return this.page.evaluate(() => new Promise((done) => setTimeout(() => done(location.href), 100)));
+  }
+
   /** Of the first that the selector finds. */
   text(selector) {
     return this.page.locator(selector).first().textContent();

@@ -60,11 +60,11 @@ test("kept paths stay when sources are others; they are in the link and in what 
   assertNear(commands.map((command) => ask(server, t, SPHERE, command).paths[0].length), expected, 1e-6);
   assert.notEqual(commands[0].split(" ").at(-1), commands[1].split(" ").at(-1), "no file is written twice");
 
-  const linked = await openPage(browser, viewer.page.url());
+  const linked = await openPage(browser, await viewer.address());
   t.after(() => linked.close());
   await linked.page.locator("#paths li").nth(1).waitFor();
   assertNear(await lengths(linked), expected, 1e-6);
-  assert.equal(linked.page.url(), viewer.page.url());
+  assert.equal(await linked.address(), await viewer.address());
 
   await viewer.page.click("#paths li >> nth=0 >> button");
   assertNear(await lengths(viewer), expected.slice(1), 1e-6);
@@ -92,7 +92,7 @@ test("a path that is on its way when the source moves is kept", async (t) => {
     await route.continue();
   });
   const asked = viewer.page.waitForRequest((request) => request.url().endsWith("/ComputePaths"));
-  const from = viewer.page.url().match(/source=([^&]*)/)[1];
+  const from = (await viewer.address()).match(/source=([^&]*)/)[1];
   await viewer.click(0.5, 0.25);
   await asked;
   await viewer.page.keyboard.press("s");
@@ -100,6 +100,6 @@ test("a path that is on its way when the source moves is kept", async (t) => {
   await viewer.solved();
   goOn();
   await viewer.page.waitForSelector("#paths li");
-  assert.ok(viewer.page.url().includes(`&path=${from}%3B`), "it starts where the source was");
+  assert.ok((await viewer.address()).includes(`&path=${from}%3B`), "it starts where the source was");
   assert.deepEqual(viewer.errors, []);
 });

@@ -76,7 +76,7 @@ test("a comparison says which fields, the unit, the sign and the range", async (
   await viewer.waitForText("#notice-text", "Sources are at the nearest vertices now");
   await viewer.waitForText("#difference", "largest difference");
   await viewer.solved();
-  const vertex = viewer.page.url().match(/source=(\d+)/)[1];
+  const vertex = (await viewer.address()).match(/source=(\d+)/)[1];
   const exact = distances(t, "--source", vertex);
   const differences = distances(t, "--source", vertex, "--algorithm", "fmm").map((d, v) => d - exact[v]);
   const [low, high] = [Math.min(0, ...differences), Math.max(0, ...differences)];

@@ -181,7 +181,7 @@ test("a source that is dragged takes its field along", async (t) => {
   const viewer = await sphere(t);
   await viewer.click(0, 0);
   await viewer.solved();
-  const from = viewer.page.url();
+  const from = await viewer.address();
   await viewer.move(0, 0);
   await viewer.page.mouse.down();
   for (let i = 1; i <= 5; i++) await viewer.move(0.1 * i, 0);
@@ -203,7 +203,7 @@ test("a source that the mesh hides is not taken hold of", async (t) => {
   const viewer = await sphere(t);
   await viewer.click(0, 0);
   await viewer.solved();
-  const address = viewer.page.url();
+  const address = await viewer.address();
   // Half around, 26 steps of 0.12, and from 16 degrees above to 18 below.
   for (let i = 0; i < 26; i++) await viewer.page.keyboard.press("ArrowRight");
   for (let i = 0; i < 5; i++) await viewer.page.keyboard.press("ArrowDown");
@@ -220,7 +220,7 @@ test("a source that the mesh hides is not taken hold of", async (t) => {
   for (let i = 1; i <= 5; i++) await viewer.move(0.05 * i, 0);
   await viewer.page.mouse.up();
   await viewer.settled();
-  assert.equal(viewer.page.url(), address, "the source is where it was");
+  assert.equal(await viewer.address(), address, "the source is where it was");
   assert.ok((await viewer.pictureOnce((picture) => !picture.bytes.equals(before))).bytes.compare(before), "the view has turned");
   assert.deepEqual(viewer.errors, []);
 });
@@ -252,12 +252,12 @@ test("what the slider says is what is asked, shown and saved", async (t) => {
   await viewer.waitForText("#figures", "farthest up to");
   await viewer.solved();
   assert.ok(Number(await viewer.page.inputValue("#radius")) < 1000);
-  assert.match(await viewer.page.url(), /&radius=[\d.]+$/);
+  assert.match(await viewer.address(), /&radius=[\d.]+$/);
   await viewer.page.locator("#radius").press("End");
   await viewer.solved();
   assert.equal(await viewer.text("#radius-value"), "all");
   assert.doesNotMatch(await viewer.text("#figures"), /up to/);
-  assert.doesNotMatch(viewer.page.url(), /radius/);
+  assert.doesNotMatch(await viewer.address(), /radius/);
   assert.deepEqual(viewer.errors, []);
 });
 
@@ -300,7 +300,7 @@ test("several sources, cells, samples, curves, a radius, comparison", async (t) 
   assert.ok((await compare("mmp")) < 1e-10);
   const error = await compare("fmm");
   assert.ok(error > 1e-3 && error < 0.2, `${error}`);
-  assert.match(viewer.page.url(), /source=\d+&source=\d+$/, "sources are at vertices now");
+  assert.match(await viewer.address(), /source=\d+&source=\d+$/, "sources are at vertices now");
   await viewer.solved();
   assert.ok(!isGrey((await viewer.picture()).at(left)), "the error is coloured");
   const ticks = (await viewer.page.locator("#scale span").allTextContents()).map(Number);
@@ -336,7 +336,7 @@ test("fingers: a tap is a click, one turns, two zoom", async (t) => {
   await viewer.solved();
   await viewer.touch([[-0.4, 0.3]]);
   await viewer.page.waitForSelector("#paths li");
-  const address = viewer.page.url();
+  const address = await viewer.address();
   const dot = await viewer.at(0.2, 0.1);
   assert.ok(Math.min(...(await viewer.picture()).at(dot)) > 200, "the source is where the finger was");
 
@@ -348,7 +348,7 @@ test("fingers: a tap is a click, one turns, two zoom", async (t) => {
   await viewer.touch(line([-0.2, -0.5], [-0.7, -0.5]), line([0.2, -0.5], [0.7, -0.5]));
   await viewer.settled();
   assert.ok(apart((await viewer.picture()).at(beside), background) > 40, "the view is nearer");
-  assert.equal(viewer.page.url(), address, "nothing else was asked");
+  assert.equal(await viewer.address(), address, "nothing else was asked");
   assert.equal(await viewer.page.locator("#paths li").count(), 1);
   assert.deepEqual(viewer.errors, []);
 });
@@ -771,7 +771,7 @@ test("a list of meshes that fails late takes nothing off the mesh that is shown"
   await fail();
   await again;
   await viewer.solved();
-  assert.match(viewer.page.url(), /source=/);
+  assert.match(await viewer.address(), /source=/);
   assert.equal(await viewer.text("#mesh-name"), "sphere.obj");
   assert.deepEqual(viewer.errors, []);
 });
@@ -842,7 +842,7 @@ test("keys alone place sources and keep paths", async (t) => {
   await viewer.page.waitForSelector("#aim");
   await viewer.page.keyboard.press("Enter");
   await viewer.solved();
-  const address = viewer.page.url();
+  const address = await viewer.address();
   for (let i = 0; i < 9; i++) await viewer.page.keyboard.press("Shift+ArrowRight");
   for (let i = 0; i < 5; i++) await viewer.page.keyboard.press("Shift+ArrowUp");
   await viewer.page.keyboard.press("Enter");
@@ -856,7 +856,7 @@ test("keys alone place sources and keep paths", async (t) => {
   const mouse = await sphere(t);
   await mouse.click(0, 0);
   await mouse.solved();
-  assert.equal(mouse.page.url(), address);
+  assert.equal(await mouse.address(), address);
   assert.ok(!(await mouse.page.locator("#aim").isVisible()));
   const [x, y] = await mouse.at(0, 0);
   await mouse.page.mouse.move(x + 9 * 12, y - 5 * 12);
@@ -875,10 +875,10 @@ test("an address holds curves and the radius, and its question is one for the co
   await first.page.fill("#radius", "400");
   const radius = await first.text("#radius-value");
 
-  const second = await openPage(browser, first.page.url());
+  const second = await openPage(browser, await first.address());
   t.after(() => second.close());
   await second.solved();
-  assert.equal(second.page.url(), first.page.url());
+  assert.equal(await second.address(), await first.address());
   assert.equal(await second.text("#source-count"), "1 source");
   assert.equal(await second.text("#radius-value"), radius);
   // Somebody who opens a link looks at its sources, and moves none by a click.
@@ -903,12 +903,12 @@ test("an address with a mesh and a source shows them; keys and themes work", asy
   await first.click(0.2, 0.2);
   await first.solved();
   const farthest = await first.text("#figures dd");
-  const second = await openPage(browser, first.page.url(), { colorScheme: "dark" });
+  const second = await openPage(browser, await first.address(), { colorScheme: "dark" });
   t.after(() => second.close());
   await second.solved();
   assert.equal(await second.text("#figures dd"), farthest);
   // An address that is pasted into an open page, one that says nothing, and back.
-  const sphereAddress = first.page.url();
+  const sphereAddress = await first.address();
   await first.drop("two.off", TWO_SQUARES);
   await first.shown("two.off");
   await first.page.evaluate((url) => (location.href = url), sphereAddress);

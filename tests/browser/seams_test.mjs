@@ -63,7 +63,7 @@ test("a file is sent anew to be joined within a distance, or not at all", async 
   });
   await viewer.click(0, 0);
   await viewer.solved();
-  const address = viewer.page.url();
+  const address = await viewer.address();
   const readAs = async (choice, distance) => {
     await viewer.page.selectOption("#join", choice);
     if (distance) await viewer.page.fill("#join-distance", distance);
@@ -89,7 +89,7 @@ test("a file is sent anew to be joined within a distance, or not at all", async 
   await viewer.page.fill("#join-distance", "-1");
   await viewer.page.click("#join-again");
   assert.equal(asked.length, 3);
-  assert.equal(viewer.page.url(), address, "what was asked of the mesh stays");
+  assert.equal(await viewer.address(), address, "what was asked of the mesh stays");
 
   // A page without the file cannot send it.
   const linked = await openPage(browser, address);

@@ -22,7 +22,7 @@ test("Esc ends what is under way, and takes nothing away", async (t) => {
   await viewer.solved();
   await viewer.click(0.5, 0.25);
   await viewer.page.waitForSelector("#paths li");
-  const address = viewer.page.url();
+  const address = await viewer.address();
   const addressIs = (wanted) => until(() => (viewer.page.url() === address) === wanted);
 
   await drag(viewer, [0, 0], [0.3, 0]);
@@ -33,7 +33,7 @@ test("Esc ends what is under way, and takes nothing away", async (t) => {
   await viewer.page.mouse.up();
   await viewer.solved();
   await viewer.page.keyboard.press("Escape");
-  assert.equal(viewer.page.url(), address, "the source is back");
+  assert.equal(await viewer.address(), address, "the source is back");
 
   await viewer.page.keyboard.press("c");
   await drag(viewer, [-0.4, 0.3], [0.4, 0.3]);
@@ -46,7 +46,7 @@ test("Esc ends what is under way, and takes nothing away", async (t) => {
   await viewer.page.waitForSelector("#aim");
   await viewer.page.keyboard.press("Escape");
   await viewer.page.waitForSelector("#aim", { state: "hidden" });
-  assert.equal(viewer.page.url(), address);
+  assert.equal(await viewer.address(), address);
   assert.equal(await viewer.page.locator("#paths li").count(), 1);
   assert.deepEqual(viewer.errors, []);
 });
@@ -54,9 +54,8 @@ test("Esc ends what is under way, and takes nothing away", async (t) => {
 test("sources, curves, paths and the radius are undone and done again, one by one", async (t) => {
   const viewer = await sphere(t);
   const { page } = viewer;
-  // The address tells all that is asked. The browser's own word of it may lag behind, and the
-  // page writes it once in 100 ms at the most: such a timer, set after its own, ends after it.
-  const address = () => page.evaluate(() => new Promise((done) => setTimeout(() => done(location.href), 100)));
+  // It tells all that is asked.
+  const address = () => viewer.address();
   const addresses = [await address()];
   const step = async (what) => {
     await what();
@@ -117,16 +116,16 @@ test("the same file, and the browser's Back to a mesh, keep what was asked", asy
   await viewer.solved();
   await viewer.click(0.5, 0.25);
   await viewer.page.waitForSelector("#paths li");
-  const address = viewer.page.url();
+  const address = await viewer.address();
   await viewer.drop("again.obj", SPHERE);
   await viewer.shown("again.obj");
-  assert.equal(viewer.page.url(), address);
+  assert.equal(await viewer.address(), address);
   await viewer.drop("two.off", TWO_SQUARES);
   await viewer.shown("two.off");
-  assert.doesNotMatch(viewer.page.url(), /source/);
+  assert.doesNotMatch(await viewer.address(), /source/);
   await viewer.page.goBack();
   await viewer.shown("again.obj");
   await viewer.page.waitForSelector("#paths li");
-  assert.equal(viewer.page.url(), address);
+  assert.equal(await viewer.address(), address);
   assert.deepEqual(viewer.errors, []);
 });

@@ -159,7 +159,7 @@ absl::Status MeshFiles::Put(const ResidentMesh& mesh,
   if (!status.ok()) return status;
   const auto write = [&](BlobSink& sink) {
     return WriteMeshBody(
-        arrays, [&](std::string_view bytes) { return sink.Append(bytes); });
+        arrays, [&](std::string_view part) { return sink.Append(part); });
   };
   status = blobs_->Put(mesh.digest, metadata, bytes, write);
   if (status.ok()) return status;

@@ -147,7 +147,8 @@ void ExpectCoveredAnyhow(Drawing drawing, Random& random) {
           Sorted(Cut(PlacedIn({}, drawing), drawing.corners).triangles);
       if (i == 0) wanted = triangles;
       ASSERT_EQ(triangles, wanted) << "from corner " << i;
-      std::ranges::rotate(drawing.corners, drawing.corners.begin() + step);
+      std::rotate(drawing.corners.begin(), drawing.corners.begin() + step,
+                  drawing.corners.end());
     }
     std::ranges::reverse(drawing.corners);
   }
