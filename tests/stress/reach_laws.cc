@@ -18,8 +18,6 @@ namespace {
 
 using test::Random;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 // A distance that was certified may improve by roundings, no more.
 constexpr double kRoundings = 1e-12;
 

@@ -9,7 +9,8 @@ namespace {
 // Some milliseconds.
 constexpr size_t kFacesBetweenPolls = size_t{1} << 16;
 
-// Spreads a number over 64 bits (the finalizer of splitmix64).
+// Spreads a number over 64 bits (the finalizer of splitmix64): less, and sums
+// of small numbers cancel.
 uint64_t Mixed(uint64_t x) {
   x += 0x9e3779b97f4a7c15u;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -17,17 +18,17 @@ uint64_t Mixed(uint64_t x) {
   return x ^ (x >> 31);
 }
 
-// Calls visit(corners) for each face that has three vertices.
+// Calls visit(i) for each i below `count`.
 // Errors: whatever `checkpoint` returns.
 template <typename Visit>
-absl::Status ForEachFace(const TriangleSoup& soup, Checkpoint& checkpoint,
-                         const Progress& progress, Visit visit) {
-  for (size_t face = 0; face < soup.triangles.size(); ++face) {
-    if (face % kFacesBetweenPolls == 0) {
+absl::Status ForEach(size_t count, Checkpoint& checkpoint,
+                     const Progress& progress, Visit visit) {
+  for (size_t i = 0; i < count; ++i) {
+    if (i % kFacesBetweenPolls == 0) {
       absl::Status status = checkpoint.Poll(progress);
       if (!status.ok()) return status;
     }
-    if (!RepeatsVertex(soup.triangles[face])) visit(soup.triangles[face]);
+    visit(static_cast<uint32_t>(i));
   }
   return absl::OkStatus();
 }
@@ -37,80 +38,103 @@ absl::Status ForEachFace(const TriangleSoup& soup, Checkpoint& checkpoint,
 absl::StatusOr<BoundaryEdges> BoundaryEdges::Find(const TriangleSoup& soup,
                                                   Checkpoint& checkpoint) {
   const size_t vertices = soup.positions.size();
+  const std::vector<Triangle>& triangles = soup.triangles;
   Progress progress = {.solver_bytes = vertices * sizeof(uint64_t)};
+  BoundaryEdges found;
+  absl::Status status = checkpoint.Poll(progress);
+  if (!status.ok()) return status;
   // Where the faces around a vertex close, each neighbour follows in one and
   // precedes in another, and what they add up to is 0. Elsewhere it is not, but
   // for one chance in 2^64.
-  std::vector<uint64_t> balance;
-  absl::Status status = checkpoint.Poll(progress);
-  if (!status.ok()) return status;
+  std::vector<uint64_t>& balance = found.numbers_;
   balance.resize(vertices, 0);
-  status = ForEachFace(
-      soup, checkpoint, progress, [&balance](const Triangle& corners) {
-        const uint64_t a = Mixed(corners[0]), b = Mixed(corners[1]),
-                       c = Mixed(corners[2]);
-        balance[corners[0]] += b - c;
-        balance[corners[1]] += c - a;
-        balance[corners[2]] += a - b;
-      });
+  status = ForEach(triangles.size(), checkpoint, progress, [&](uint32_t face) {
+    if (RepeatsVertex(triangles[face])) return;
+    const auto& [a, b, c] = triangles[face];
+    const uint64_t of_a = Mixed(a), of_b = Mixed(b), of_c = Mixed(c);
+    balance[a] += of_b - of_c;
+    balance[b] += of_c - of_a;
+    balance[c] += of_a - of_b;
+  });
   if (!status.ok()) return status;
-  BoundaryEdges found;
-  if (std::ranges::count(balance, 0u) == std::ssize(balance)) return found;
+  const uint64_t outer = vertices - std::ranges::count(balance, 0u);
+  if (outer == 0) return found;
 
-  // Sides between vertices at the boundary, by their low ends.
-  const auto visit_sides = [&balance](const Triangle& corners, auto visit) {
-    for (int i = 0; i < 3; ++i) {
-      const uint32_t a = corners[i], b = corners[(i + 1) % 3];
-      if (balance[a] != 0 && balance[b] != 0) {
-        visit(std::min(a, b), std::max(a, b));
-      }
-    }
-  };
-  std::vector<uint32_t>& begin = found.begin_;
-  begin.resize(vertices + 1, 0);
-  status =
-      ForEachFace(soup, checkpoint, progress, [&](const Triangle& corners) {
-        visit_sides(corners, [&](uint32_t low, uint32_t) { ++begin[low + 1]; });
-      });
-  if (!status.ok()) return status;
-  for (size_t v = 0; v < vertices; ++v) begin[v + 1] += begin[v];
   progress.solver_bytes +=
-      vertices * sizeof(uint32_t) +
-      uint64_t{begin.back()} * (sizeof(uint32_t) + sizeof(VertexPair));
+      outer * 2 * sizeof(uint32_t) + triangles.size() * sizeof(uint32_t);
   status = checkpoint.Poll(progress);
   if (!status.ok()) return status;
-  found.highs_.resize(begin.back());
-  // Filled from the back, which moves the beginnings to where they belong.
-  status =
-      ForEachFace(soup, checkpoint, progress, [&](const Triangle& corners) {
-        visit_sides(corners, [&](uint32_t low, uint32_t high) {
-          found.highs_[--begin[low + 1]] = high;
-        });
-      });
-  if (!status.ok()) return status;
-  begin.erase(begin.begin());
-  begin.push_back(static_cast<uint32_t>(found.highs_.size()));
-  for (uint32_t low = 0; low < vertices; ++low) {
-    if (low % kFacesBetweenPolls == 0) {
-      status = checkpoint.Poll(progress);
-      if (!status.ok()) return status;
+  found.vertices_.reserve(outer);
+  for (uint32_t v = 0; v < vertices; ++v) {
+    if (balance[v] == 0) continue;
+    found.vertices_.push_back(v);
+    found.numbers_[v] = found.vertices_.size();
+  }
+  std::vector<uint32_t> faces;
+  status = ForEach(triangles.size(), checkpoint, progress, [&](uint32_t face) {
+    int outer_corners = 0;
+    for (const uint32_t v : triangles[face]) {
+      outer_corners += found.numbers_[v] != 0 ? 1 : 0;
     }
-    const auto first = found.highs_.begin() + begin[low];
-    const auto last = found.highs_.begin() + begin[low + 1];
+    if (outer_corners >= 2 && !RepeatsVertex(triangles[face])) {
+      faces.push_back(face);
+    }
+  });
+  if (!status.ok()) return status;
+  status = found.FindSides(triangles, faces, checkpoint, progress);
+  if (!status.ok()) return status;
+  return found;
+}
+
+absl::Status BoundaryEdges::FindSides(const std::vector<Triangle>& triangles,
+                                      const std::vector<uint32_t>& faces,
+                                      Checkpoint& checkpoint,
+                                      Progress progress) {
+  const auto for_each_side = [&](auto visit) {
+    return ForEach(faces.size(), checkpoint, progress, [&](uint32_t i) {
+      const Triangle& corners = triangles[faces[i]];
+      for (int corner = 0; corner < 3; ++corner) {
+        const uint32_t a = corners[corner], b = corners[(corner + 1) % 3];
+        if (numbers_[a] != 0 && numbers_[b] != 0) {
+          visit(NumberOf(std::min(a, b)), std::max(a, b));
+        }
+      }
+    });
+  };
+  begin_.resize(vertices_.size() + 1, 0);
+  absl::Status status =
+      for_each_side([this](uint32_t low, uint32_t) { ++begin_[low + 1]; });
+  if (!status.ok()) return status;
+  for (size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
+  progress.solver_bytes +=
+      uint64_t{begin_.back()} * (sizeof(uint32_t) + sizeof(VertexPair));
+  status = checkpoint.Poll(progress);
+  if (!status.ok()) return status;
+  highs_.resize(begin_.back());
+  // Filled from the back, which moves the beginnings to where they belong.
+  status = for_each_side([this](uint32_t low, uint32_t high) {
+    highs_[--begin_[low + 1]] = high;
+  });
+  if (!status.ok()) return status;
+  begin_.erase(begin_.begin());
+  begin_.push_back(static_cast<uint32_t>(highs_.size()));
+  return ForEach(vertices_.size(), checkpoint, progress, [this](uint32_t low) {
+    const auto first = highs_.begin() + begin_[low];
+    const auto last = highs_.begin() + begin_[low + 1];
     std::sort(first, last);
     for (auto high = first; high != last;) {
       const auto end = std::upper_bound(high, last, *high);
-      if (end - high == 1) found.edges_.push_back({low, *high});
+      if (end - high == 1) edges_.push_back({vertices_[low], *high});
       high = end;
     }
-  }
-  return found;
+  });
 }
 
 bool BoundaryEdges::AreNeighbours(uint32_t a, uint32_t b) const {
   const auto [low, high] = std::minmax(a, b);
-  return std::binary_search(highs_.begin() + begin_[low],
-                            highs_.begin() + begin_[low + 1], high);
+  const uint32_t number = NumberOf(low);
+  return std::binary_search(highs_.begin() + begin_[number],
+                            highs_.begin() + begin_[number + 1], high);
 }
 
 }  // namespace geodesic

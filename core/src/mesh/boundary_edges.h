@@ -21,22 +21,35 @@ class BoundaryEdges {
  public:
   // Faces that name a vertex twice are passed over. O(V + F), times the
   // logarithm of the most edges at a vertex. Tells the checkpoint of its bytes
-  // before it takes them: 12 for a vertex, and 12 for a side of a face at the
-  // boundary. REQUIRES: the triangles name vertices of the soup. Errors:
-  // whatever `checkpoint` returns.
+  // before it takes them: 8 for a vertex and, if there is a boundary, 4 for a
+  // face, 8 for a vertex and 12 for a side at it. REQUIRES: the triangles name
+  // vertices of the soup. Errors: whatever `checkpoint` returns.
   static absl::StatusOr<BoundaryEdges> Find(const TriangleSoup& soup,
                                             Checkpoint& checkpoint);
 
   // In order.
   const std::vector<VertexPair>& edges() const { return edges_; }
 
+  // At the boundary, in order; and the number of one among them.
+  const std::vector<uint32_t>& vertices() const { return vertices_; }
+  uint32_t NumberOf(uint32_t vertex) const {
+    return static_cast<uint32_t>(numbers_[vertex] - 1);
+  }
+
   // Whether an edge joins two vertices at the boundary.
   bool AreNeighbours(uint32_t a, uint32_t b) const;
 
  private:
+  // Of the faces that have sides between vertices at the boundary.
+  absl::Status FindSides(const std::vector<Triangle>& triangles,
+                         const std::vector<uint32_t>& faces,
+                         Checkpoint& checkpoint, Progress progress);
+
   std::vector<VertexPair> edges_;
+  std::vector<uint32_t> vertices_;
+  std::vector<uint64_t> numbers_;  // from 1; 0 elsewhere
   // Of edges between vertices at the boundary, the high ends of those whose low
-  // end is v, in order: highs_[begin_[v]] up to highs_[begin_[v + 1]].
+  // end has number i, in order: highs_[begin_[i]] up to highs_[begin_[i + 1]].
   std::vector<uint32_t> begin_;
   std::vector<uint32_t> highs_;
 };

@@ -112,7 +112,7 @@ class Seams {
       : soup_(soup),
         boundary_(boundary),
         checkpoint_(checkpoint),
-        vertices_(static_cast<uint32_t>(soup.positions.size())),
+        vertices_(static_cast<uint32_t>(boundary.vertices().size())),
         edges_(static_cast<uint32_t>(boundary.edges().size())) {}
 
   // Joins edges whose ends are equal.
@@ -150,8 +150,8 @@ class Seams {
       const auto& [low, high] = boundary_.edges()[i];
       const auto corner = corner_of.find(place_of(low));
       if (corner == corner_of.end()) continue;
-      vertices_.Join(low, corner->second);
-      vertices_.Join(high, corner->second);
+      JoinVertices(low, corner->second);
+      JoinVertices(high, corner->second);
     }
     return absl::OkStatus();
   }
@@ -215,10 +215,11 @@ class Seams {
       is_joined[first] = true;
       ++soup_.reading.seam_edges;
     }
-    if (vertices_.count() == soup_.positions.size()) return;
-    for (uint32_t v = 0; v < soup_.positions.size(); ++v) {
-      if (const uint32_t into = vertices_.Find(v); into != v) {
-        soup_.reading.joined.push_back({v, into});
+    const std::vector<uint32_t>& outer = boundary_.vertices();
+    if (vertices_.count() == outer.size()) return;
+    for (uint32_t i = 0; i < outer.size(); ++i) {
+      if (const uint32_t into = vertices_.Find(i); into != i) {
+        soup_.reading.joined.push_back({outer[i], outer[into]});
       }
     }
   }
@@ -243,22 +244,26 @@ class Seams {
         boundary_.AreNeighbours(from.high, to.high)) {
       return;
     }
-    vertices_.Join(from.low, to.low);
-    vertices_.Join(from.high, to.high);
+    JoinVertices(from.low, to.low);
+    JoinVertices(from.high, to.high);
     edges_.Join(a, b);
+  }
+
+  void JoinVertices(uint32_t a, uint32_t b) {
+    vertices_.Join(boundary_.NumberOf(a), boundary_.NumberOf(b));
   }
 
   TriangleSoup& soup_;
   const BoundaryEdges& boundary_;
   Checkpoint& checkpoint_;
-  DisjointSets vertices_;
-  DisjointSets edges_;  // those that are joined
+  DisjointSets vertices_;  // by their numbers at the boundary
+  DisjointSets edges_;     // those that are joined
 };
 
 // At the most, with what BoundaryEdges holds: the sets and what was joined; the
 // sets, the places, the edges between these, the corners, and the grid, in
 // tables that are at least 7/16 full.
-constexpr uint64_t kBytesAVertex = 4 + 4 + sizeof(JoinedVertex);
+constexpr uint64_t kBytesAVertex = 4 + 4 + 4 + sizeof(JoinedVertex);
 constexpr uint64_t kBytesAnEdge = 24 + 4 + 2 * (32 + 16) + 16 + 2 * 40 + 2 * 20;
 
 // Tells of a soup's bytes, too, where it tells of bytes.
@@ -311,7 +316,8 @@ absl::Status JoinSeams(const Welding& welding, TriangleSoup& soup,
   if (!boundary.ok()) return boundary.status();
   if (boundary->edges().empty()) return absl::OkStatus();
   absl::Status status = checkpoint.Poll(
-      {.solver_bytes = soup.positions.size() * kBytesAVertex +
+      {.solver_bytes = soup.positions.size() * sizeof(uint64_t) +
+                       boundary->vertices().size() * kBytesAVertex +
                        boundary->edges().size() * kBytesAnEdge});
   if (!status.ok()) return status;
   Seams seams(soup, *boundary, checkpoint);

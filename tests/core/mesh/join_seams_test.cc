@@ -358,6 +358,15 @@ TEST(JoinSeamsTest, SidesOfOnePieceAreNotTold) {
       0u);
 }
 
+TEST(JoinSeamsTest, FacesOnEachOtherHideNoBoundary) {
+  // Around 3 and 1 the numbers of neighbours add up to 0: 2 + 2 - 4 - 0.
+  const TriangleSoup soup = Joined(
+      {.positions = {{1, 1, 0}, {0, 0, 0}, {1, -1, 0}, {2, 0, 0}, {1, 1, 0}},
+       .triangles = {{3, 2, 1}, {3, 1, 4}, {3, 2, 1}, {3, 1, 0}}});
+  EXPECT_EQ(soup.reading.seam_edges, 2u);
+  EXPECT_THAT(soup.reading.joined, ElementsAre(JoinedVertex{4, 0}));
+}
+
 TEST(JoinSeamsTest, AFaceKeepsItsSides) {
   // A needle whose long sides are as good as equal: no seam.
   const TriangleSoup needle = {

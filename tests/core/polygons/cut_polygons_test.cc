@@ -137,7 +137,7 @@ void ExpectCovered(const Drawing& drawing, const Plane& plane) {
 // For all first corners, both ways round, and in space.
 void ExpectCoveredAnyhow(Drawing drawing, Random& random) {
   const size_t step = 1 + drawing.corners.size() / 50;
-  for (const bool is_reversed : {false, true}) {
+  for (int way = 0; way < 2; ++way) {
     std::vector<Triangle> wanted;
     for (size_t i = 0; i < drawing.corners.size(); i += step) {
       ExpectCovered(drawing, {});
@@ -246,7 +246,7 @@ TEST(CutPolygonsTest, ConvexPolygonsAreFans) {
       }
     }
     Drawing drawing = Outline(std::move(places));
-    for (const bool is_reversed : {false, true}) {
+    for (int way = 0; way < 2; ++way) {
       if (is_reversed) std::ranges::reverse(drawing.corners);
       const TriangleSoup soup =
           Cut(PlacedIn(RandomPlane(random), drawing), drawing.corners);
