@@ -2,6 +2,8 @@
 
 #include <cholmod.h>
 
+#include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "absl/status/status.h"
@@ -48,6 +50,21 @@ class Workspace {
   cholmod_common common_;
 };
 
+class Sparse {
+ public:
+  Sparse(cholmod_sparse* matrix, cholmod_common* common)
+      : matrix_(matrix), common_(common) {}
+  ~Sparse() { cholmod_free_sparse(&matrix_, common_); }
+  Sparse(const Sparse&) = delete;
+  Sparse& operator=(const Sparse&) = delete;
+
+  cholmod_sparse* get() const { return matrix_; }
+
+ private:
+  cholmod_sparse* matrix_;
+  cholmod_common* common_;
+};
+
 // CHOLMOD reads it only.
 template <typename T>
 void* Writable(const T* values) {
@@ -71,6 +88,21 @@ cholmod_sparse MatrixOf(const SymmetricPattern& pattern, const double* values) {
   return matrix;
 }
 
+// About a millisecond; but after rows of leaves come those of their separator,
+// which take some milliseconds each.
+constexpr double kFlopsBetweenPolls = 1e6;
+constexpr size_t kRowsBetweenPolls = 16;
+
+uint64_t BytesOf(const cholmod_factor& factor) {
+  const std::span counts(static_cast<const int32_t*>(factor.ColCount),
+                         factor.n);
+  const uint64_t entries =
+      std::accumulate(counts.begin(), counts.end(), uint64_t{0});
+  // By column: the permutation, counts, begins and links.
+  return factor.n * 6 * sizeof(int32_t) +
+         entries * (sizeof(int32_t) + sizeof(double));
+}
+
 }  // namespace
 
 class Cholesky::Factor {
@@ -84,12 +116,6 @@ class Cholesky::Factor {
   // Solving does not change it.
   cholmod_factor* get() const { return factor_; }
   Workspace& workspace() { return workspace_; }
-
-  uint64_t bytes() const {
-    // By column: the permutation, counts, begins and links; then the entries.
-    return factor_->n * 6 * sizeof(int32_t) +
-           factor_->nzmax * (sizeof(int32_t) + sizeof(double));
-  }
 
  private:
   Workspace workspace_;
@@ -111,14 +137,38 @@ absl::StatusOr<std::shared_ptr<const Cholesky::Order>> Cholesky::Analyze(
 
 absl::StatusOr<Cholesky> Cholesky::Factorize(const SymmetricPattern& pattern,
                                              const Order& order,
-                                             std::span<const double> values) {
+                                             std::span<const double> values,
+                                             Checkpoint& checkpoint,
+                                             Progress progress) {
+  progress.solver_bytes += BytesOf(*order.get());
+  absl::Status status = checkpoint.Poll(progress);
+  if (!status.ok()) return status;
   auto factor = std::make_unique<Factor>();
   Workspace& workspace = factor->workspace();
   factor->get() = cholmod_copy_factor(order.get(), workspace.get());
-  if (absl::Status status = workspace.status(); !status.ok()) return status;
+  if (status = workspace.status(); !status.ok()) return status;
   cholmod_sparse matrix = MatrixOf(pattern, values.data());
-  cholmod_factorize(&matrix, factor->get(), workspace.get());
-  if (absl::Status status = workspace.status(); !status.ok()) return status;
+  const Sparse lower(
+      cholmod_ptranspose(&matrix, 1, static_cast<int*>(order.get()->Perm),
+                         nullptr, 0, workspace.get()),
+      workspace.get());
+  if (status = workspace.status(); !status.ok()) return status;
+  const Sparse upper(cholmod_transpose(lower.get(), 1, workspace.get()),
+                     workspace.get());
+  if (status = workspace.status(); !status.ok()) return status;
+  size_t rows = 1;
+  for (size_t begin = 0; begin < factor->get()->n;) {
+    if (status = checkpoint.Poll(progress); !status.ok()) return status;
+    const size_t end = std::min(begin + rows, factor->get()->n);
+    double nothing_added[2] = {0, 0};
+    cholmod_rowfac(upper.get(), nullptr, nothing_added, begin, end,
+                   factor->get(), workspace.get());
+    if (status = workspace.status(); !status.ok()) return status;
+    rows = workspace.get()->rowfacfl < kFlopsBetweenPolls
+               ? std::min(2 * rows, kRowsBetweenPolls)
+               : (rows + 1) / 2;
+    begin = end;
+  }
   // Scratch that solving does not need.
   cholmod_free_work(workspace.get());
   return Cholesky(std::move(factor));
@@ -152,6 +202,6 @@ absl::StatusOr<std::vector<double>> Cholesky::Solve(
   return solution;
 }
 
-uint64_t Cholesky::bytes() const { return factor_->bytes(); }
+uint64_t Cholesky::bytes() const { return BytesOf(*factor_->get()); }
 
 }  // namespace geodesic

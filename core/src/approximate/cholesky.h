@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "geodesic/checkpoint.h"
 
 namespace geodesic {
 
@@ -38,11 +39,15 @@ class Cholesky {
       const SymmetricPattern& pattern);
 
   // REQUIRES: the order is of this pattern; a value for each of its rows.
-  // Errors: FAILED_PRECONDITION if the matrix is not positive definite;
-  // RESOURCE_EXHAUSTED.
+  // Tells the checkpoint of the progress with the factor's bytes, before it
+  // takes them and then every few milliseconds. Errors: FAILED_PRECONDITION if
+  // the matrix is not positive definite; RESOURCE_EXHAUSTED; whatever
+  // `checkpoint` returns.
   static absl::StatusOr<Cholesky> Factorize(const SymmetricPattern& pattern,
                                             const Order& order,
-                                            std::span<const double> values);
+                                            std::span<const double> values,
+                                            Checkpoint& checkpoint,
+                                            Progress progress);
 
   Cholesky(Cholesky&&) noexcept;
   Cholesky& operator=(Cholesky&&) noexcept;

@@ -91,16 +91,19 @@ class HeatMethod::Systems {
     return (pattern_.column_begin.capacity() + pattern_.rows.capacity()) *
            sizeof(int32_t);
   }
-  absl::Status Poll(Checkpoint& checkpoint, uint64_t bytes) const {
-    return checkpoint.Poll(
-        {.vertices = mesh_.vertex_count(), .solver_bytes = bytes});
+  Progress Preparing() const {
+    return {.vertices = mesh_.vertex_count(), .solver_bytes = bytes()};
   }
   absl::Status PollPreparing(Checkpoint& checkpoint) const {
-    return Poll(checkpoint, bytes());
+    return checkpoint.Poll(Preparing());
   }
   // Heat, the right side, distances, shifts and counts.
+  Progress Solving() const {
+    return {.vertices = mesh_.vertex_count(),
+            .solver_bytes = mesh_.vertex_count() * 5 * sizeof(double)};
+  }
   absl::Status PollSolving(Checkpoint& checkpoint) const {
-    return Poll(checkpoint, mesh_.vertex_count() * 5 * sizeof(double));
+    return checkpoint.Poll(Solving());
   }
   void BuildMatrices();
   // The Laplacian, with the rows and columns of some vertices those of the
@@ -161,7 +164,8 @@ absl::Status HeatMethod::Systems::Prepare(bool intrinsic_delaunay,
   for (uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
     values[pattern_.column_begin[v + 1] - 1] += masses_[v];
   }
-  auto heat = Cholesky::Factorize(pattern_, *order_, values);
+  auto heat =
+      Cholesky::Factorize(pattern_, *order_, values, checkpoint, Preparing());
   if (!heat.ok()) return heat.status();
   heat_ = *std::move(heat);
   if (absl::Status status = PollPreparing(checkpoint); !status.ok())
@@ -169,7 +173,8 @@ absl::Status HeatMethod::Systems::Prepare(bool intrinsic_delaunay,
 
   std::vector<bool> is_lowest(mesh_.vertex_count());
   for (const uint32_t v : components_) is_lowest[v] = true;
-  auto poisson = Cholesky::Factorize(pattern_, *order_, Pinned(is_lowest));
+  auto poisson = Cholesky::Factorize(pattern_, *order_, Pinned(is_lowest),
+                                     checkpoint, Preparing());
   if (!poisson.ok()) return poisson.status();
   poisson_ = *std::move(poisson);
   return PollPreparing(checkpoint);
@@ -372,8 +377,8 @@ absl::StatusOr<std::vector<double>> HeatMethod::Systems::Distances(
       is_pinned[seed.vertex] = true;
       values[seed.vertex] = seed.distance;
     }
-    const auto pinned =
-        Cholesky::Factorize(pattern_, *order_, Pinned(is_pinned));
+    const auto pinned = Cholesky::Factorize(
+        pattern_, *order_, Pinned(is_pinned), checkpoint, Solving());
     if (!pinned.ok()) return pinned.status();
     MoveToRight(is_pinned, values, right);
     distances = pinned->Solve(right);

@@ -14,6 +14,7 @@
 #include "absl/strings/match.h"
 #include "geodesic/field_path.h"
 #include "tests/core/approximate/method_check.h"
+#include "tests/support/checkpoints.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/mesh_edits.h"
 #include "tests/support/planar_meshes.h"
@@ -198,6 +199,23 @@ TEST(HeatMethod, CountsItsBytes) {
   // Sixteen times the faces, and factors that fill up.
   EXPECT_GT((*of_large)->bytes(), 16 * (*of_small)->bytes());
   EXPECT_LT((*of_large)->bytes(), 64 * (*of_small)->bytes());
+}
+
+TEST(HeatMethod, IsAskedWhileItFactorizesAndTellsOfBytesBefore) {
+  const auto mesh = BuildOrFail({"sphere", Icosphere(5)});
+  RecordingCheckpoint checkpoint;
+  const auto prepared = HeatMethod::Prepare(*mesh, {}, checkpoint);
+  ASSERT_TRUE(prepared.ok());
+  const auto knows_all = [&](const Progress& progress) {
+    return progress.solver_bytes >= (*prepared)->bytes();
+  };
+  const auto second = std::ranges::find_if(checkpoint.polls(), knows_all) -
+                      checkpoint.polls().begin();
+  // Two factorizations, a few rows at a time.
+  const auto most_rows = 16;
+  EXPECT_GE(second, mesh->vertex_count() / most_rows);
+  EXPECT_GE(std::ssize(checkpoint.polls()) - second,
+            mesh->vertex_count() / most_rows);
 }
 
 }  // namespace

@@ -246,7 +246,7 @@ TEST(CutPolygonsTest, ConvexPolygonsAreFans) {
       }
     }
     Drawing drawing = Outline(std::move(places));
-    for (int way = 0; way < 2; ++way) {
+    for (const bool is_reversed : {false, true}) {
       if (is_reversed) std::ranges::reverse(drawing.corners);
       const TriangleSoup soup =
           Cut(PlacedIn(RandomPlane(random), drawing), drawing.corners);
