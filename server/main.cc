@@ -133,7 +133,17 @@ int Run(const ServerOptions& options) {
       server.Shutdown(options.drain);
     }
   });
-  return server.Wait() ? EXIT_SUCCESS : kRequestsCancelled;
+  switch (server.Wait()) {
+    case Server::Ending::kInOrder:
+      return EXIT_SUCCESS;
+    case Server::Ending::kCancelled:
+      break;
+    case Server::Ending::kStuck:
+      // Nothing is acknowledged that is not on the disk.
+      logger->flush();
+      std::_Exit(kRequestsCancelled);
+  }
+  return kRequestsCancelled;
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ namespace {
 // How long finished answers may take to be sent.
 constexpr std::chrono::milliseconds kFlushGrace{500};
 
-// How long the last fields may take to be written to disk.
+// How long the last files may take to be written to disk.
 constexpr std::chrono::seconds kStoreGrace{2};
 
 // How long cancelled calls may take to end.
@@ -433,7 +433,7 @@ void Server::Shutdown(std::chrono::milliseconds grace) {
   shutdown_.notify_all();
 }
 
-bool Server::Wait() {
+Server::Ending Server::Wait() {
   TimePoint until;
   {
     std::unique_lock lock(mutex_);
@@ -448,10 +448,16 @@ bool Server::Wait() {
   engine_.scheduler().StopAll();
   grpc_server_->Shutdown(std::chrono::system_clock::now() + kFlushGrace);
   log_.WaitIdle(clock_.Now() + kCancelGrace, std::stop_token());
+  // What computes has stopped.
+  if (!engine_.scheduler().WaitIdle(kStoreGrace)) {
+    logger_->error("the disk does not answer: {} jobs are left",
+                   engine_.scheduler().running());
+    return Ending::kStuck;
+  }
   door_.reset();
   grpc_server_.reset();
   logger_->info("stopped");
-  return in_order;
+  return in_order ? Ending::kInOrder : Ending::kCancelled;
 }
 
 void Server::SetServing(bool serving) {

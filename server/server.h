@@ -3,7 +3,7 @@
 //   Server server(options, logger);
 //   absl::Status status = server.Start();
 //   ...  // elsewhere, on a signal: server.Shutdown(grace);
-//   bool in_order = server.Wait();
+//   Server::Ending ending = server.Wait();
 
 #ifndef GEODESIC_SERVER_SERVER_H_
 #define GEODESIC_SERVER_SERVER_H_
@@ -75,9 +75,13 @@ class Server {
   // REQUIRES: Start succeeded.
   void Shutdown(std::chrono::milliseconds grace);
 
-  // Waits for Shutdown and for the drain. Whether every request ended within
-  // the grace period. Call once, after Start succeeded.
-  bool Wait();
+  enum class Ending {
+    kInOrder,    // every request ended within the grace period
+    kCancelled,  // some were cut off
+    kStuck,      // so were some that wait for a disk, as the destructor would
+  };
+  // Waits for Shutdown and for the drain. Call once, after Start succeeded.
+  Ending Wait();
 
   // Reads the tokens again; if they are malformed, logs it and keeps the old
   // ones. Thread-safe.

@@ -3,6 +3,7 @@
 #ifndef GEODESIC_TESTS_ENGINE_FAKES_H_
 #define GEODESIC_TESTS_ENGINE_FAKES_H_
 
+#include <array>
 #include <cstddef>
 #include <deque>
 #include <functional>
@@ -34,22 +35,23 @@ class FakeClock final : public Clock {
   TimePoint now_ = TimePoint() + std::chrono::hours(1);
 };
 
-// Runs tasks when, and on the thread where, the test says so; those beside
-// when there are no others.
+// Runs tasks when, and on the thread where, the test says so; those that
+// compute come first, those beside last.
 class ManualExecutor final : public Executor {
  public:
-  void Schedule(Task task) override { tasks_.push_back(std::move(task)); }
-  void ScheduleBeside(Task task) override {
-    tasks_beside_.push_back(std::move(task));
+  void Schedule(Task task, ThreadKind kind) override {
+    lines_[static_cast<size_t>(kind)].push_back(std::move(task));
   }
 
   bool RunOne() {
-    std::deque<Task>& tasks = tasks_.empty() ? tasks_beside_ : tasks_;
-    if (tasks.empty()) return false;
-    Task task = std::move(tasks.front());
-    tasks.pop_front();
-    std::move(task)();
-    return true;
+    for (std::deque<Task>& tasks : lines_) {
+      if (tasks.empty()) continue;
+      Task task = std::move(tasks.front());
+      tasks.pop_front();
+      std::move(task)();
+      return true;
+    }
+    return false;
   }
 
   size_t RunAll() {
@@ -58,11 +60,14 @@ class ManualExecutor final : public Executor {
     return count;
   }
 
-  size_t size() const { return tasks_.size() + tasks_beside_.size(); }
+  size_t size() const {
+    size_t all = 0;
+    for (const std::deque<Task>& tasks : lines_) all += tasks.size();
+    return all;
+  }
 
  private:
-  std::deque<Task> tasks_;
-  std::deque<Task> tasks_beside_;
+  std::array<std::deque<Task>, kThreadKinds> lines_;
 };
 
 // Remembers what it was told. For tests on one thread.

@@ -15,7 +15,8 @@ TEST(ThreadPool, RunsEveryTaskBeforeItGoes) {
   std::atomic<int> count = 0;
   {
     ThreadPool pool(3);
-    for (int i = 0; i < 1000; ++i) pool.Schedule([&] { ++count; });
+    for (int i = 0; i < 1000; ++i)
+      pool.Schedule([&] { ++count; }, ThreadKind::kCompute);
   }
   EXPECT_EQ(count, 1000);
 }
@@ -28,11 +29,13 @@ TEST(ThreadPool, RunsTasksSideBySide) {
   {
     ThreadPool pool(2);
     for (int i = 0; i < 2; ++i) {
-      pool.Schedule([&] {
-        both.arrive_and_wait();
-        std::lock_guard lock(mutex);
-        threads.insert(std::this_thread::get_id());
-      });
+      pool.Schedule(
+          [&] {
+            both.arrive_and_wait();
+            std::lock_guard lock(mutex);
+            threads.insert(std::this_thread::get_id());
+          },
+          ThreadKind::kCompute);
     }
   }
   EXPECT_EQ(threads.size(), 2);
@@ -42,18 +45,23 @@ TEST(ThreadPool, RunsTasksSideBySide) {
 TEST(ThreadPool, TasksMaySchedule) {
   std::latch done(1);
   ThreadPool pool(1);
-  pool.Schedule([&] { pool.Schedule([&] { done.count_down(); }); });
+  pool.Schedule(
+      [&] { pool.Schedule([&] { done.count_down(); }, ThreadKind::kCompute); },
+      ThreadKind::kCompute);
   done.wait();
 }
 
-// The task beside waits for the other: if it had that one's thread, this would
-// never end.
-TEST(ThreadPool, ATaskBesideTakesNobodysThread) {
-  std::latch both(2);
+// Each waits for all others: if one had another kind's thread, this would never
+// end.
+TEST(ThreadPool, NoKindTakesAnothersThreads) {
+  std::latch all(1 + kDiskThreads + 1);
   ThreadPool pool(1);
-  pool.ScheduleBeside([&] { both.arrive_and_wait(); });
-  pool.Schedule([&] { both.count_down(); });
-  both.wait();
+  pool.Schedule([&] { all.arrive_and_wait(); }, ThreadKind::kBeside);
+  for (size_t i = 0; i < kDiskThreads; ++i) {
+    pool.Schedule([&] { all.arrive_and_wait(); }, ThreadKind::kDisk);
+  }
+  pool.Schedule([&] { all.arrive_and_wait(); }, ThreadKind::kCompute);
+  all.wait();
 }
 
 }  // namespace

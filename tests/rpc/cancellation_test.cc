@@ -264,7 +264,7 @@ class CancelMatrixTest : public test::RpcTest,
 
   grpc::ClientContext context_;
   steady_clock::time_point deadline_;
-  std::future<bool> stopped_;
+  std::future<Server::Ending> stopped_;
 };
 
 // Deletes a mesh, which on this server is a job. It is done though nobody waits

@@ -196,7 +196,7 @@ TEST_F(PagesTest, ADrainingServerIsAliveAndNotReady) {
 
   solver_.LetGo();
   EXPECT_TRUE(call->End().ok());
-  EXPECT_TRUE(server_->Wait());
+  EXPECT_EQ(server_->Wait(), Server::Ending::kInOrder);
   EXPECT_THAT(HttpGet(port, "/metrics"),
               HasSubstr("geodesic_jobs{state=\"running\"} 0"));
 }
@@ -252,7 +252,7 @@ class DrainTest : public test::RpcTest {
 
   std::string digest_;
   std::unique_ptr<test::OpenField> call_;
-  std::future<bool> stopped_;
+  std::future<Server::Ending> stopped_;
 };
 
 TEST_F(DrainTest, WhatRunsFinishesAndNothingNewBegins) {
@@ -277,20 +277,20 @@ TEST_F(DrainTest, WhatRunsFinishesAndNothingNewBegins) {
   solver_.LetGo();
   EXPECT_TRUE(call_->End().ok());
   EXPECT_TRUE(call_->message.has_trailer());
-  EXPECT_TRUE(stopped_.get());
+  EXPECT_EQ(stopped_.get(), Server::Ending::kInOrder);
 }
 
 TEST_F(DrainTest, GraceEnds) {
   server_->Shutdown(std::chrono::milliseconds(1));
   EXPECT_EQ(call_->End().error_code(), grpc::StatusCode::UNAVAILABLE);
-  EXPECT_FALSE(stopped_.get());
+  EXPECT_EQ(stopped_.get(), Server::Ending::kCancelled);
 }
 
 TEST_F(DrainTest, ASecondCallCutsItShort) {
   server_->Shutdown(kPatience);
   server_->Shutdown(kPatience);
   EXPECT_EQ(call_->End().error_code(), grpc::StatusCode::UNAVAILABLE);
-  EXPECT_FALSE(stopped_.get());
+  EXPECT_EQ(stopped_.get(), Server::Ending::kCancelled);
 }
 
 }  // namespace

@@ -267,6 +267,7 @@ void FieldWriter::SubmitJob() {
   has_job_ = scheduler_
                  .Submit({.priority = JobPriority::kStore,
                           .is_continuation = true,
+                          .waits_for_disk = [] { return true; },
                           .run = [this](const std::stop_token&) { WriteOne(); },
                           .abandon = [](const absl::Status&) {}})
                  .ok();

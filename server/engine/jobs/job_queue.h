@@ -75,6 +75,9 @@ struct Job {
   // back, the job waits and this is called again (see Scheduler); any other
   // error ends the job. Destroying the job returns the memory.
   absl::AnyInvocable<absl::Status()> reserve;
+  // Whether its next run waits for the disk, and so has a thread of those that
+  // do; may be empty. Must be short.
+  absl::AnyInvocable<bool() const> waits_for_disk;
   // Does the work, on a thread of the executor. It should return soon after
   // the token asks it to stop.
   absl::AnyInvocable<void(std::stop_token)> run;

@@ -29,7 +29,7 @@ Scheduler::Scheduler(Executor& executor, size_t max_running, size_t max_queued,
 Scheduler::~Scheduler() {
   StopAll();
   std::unique_lock lock(mutex_);
-  idle_.wait(lock, [this] { return workers() == 0; });
+  idle_.wait(lock, [this] { return IsIdle(); });
 }
 
 void Scheduler::ObserveJobs(const Clock& clock,
@@ -50,8 +50,8 @@ absl::StatusOr<Scheduler::JobId> Scheduler::Submit(Job job) {
     if (!status.ok()) return status;
   }
   const JobId id = next_number_++;
-  JobQueue& queue = LineOf(job).queue;
-  queue.Push(id, {std::move(job), Now()});
+  Line& line = LineOf(job);
+  line.queue.Push(id, {std::move(job), Now()});
   AskForThreads();
   return id;
 }
@@ -61,10 +61,10 @@ absl::StatusOr<Scheduler::Place> Scheduler::HoldPlace(
   std::lock_guard lock(mutex_);
   absl::Status status = CheckRoom(client, /*runs_at_once=*/false);
   if (!status.ok()) return status;
-  line_.queue.Hold(client);
+  LineOf(ThreadKind::kCompute).queue.Hold(client);
   return Place(this, [client](Scheduler* scheduler) {
     std::lock_guard release_lock(scheduler->mutex_);
-    scheduler->line_.queue.Release(client);
+    scheduler->LineOf(ThreadKind::kCompute).queue.Release(client);
   });
 }
 
@@ -73,19 +73,25 @@ absl::Status Scheduler::CheckRoom(const std::string& client,
   if (draining_) return ShuttingDown();
   // A job for which a thread is free does not wait.
   const size_t free_threads = FreeThreads();
-  const JobQueue& queue = line_.queue;
-  if (runs_at_once && queue.size() < free_threads) return absl::OkStatus();
-  if (queue.places() >= max_queued_ + free_threads) {
+  size_t all_places = 0, places = 0;
+  for (const Line& line : lines_) {
+    all_places += line.queue.places();
+    if (!client.empty()) places += line.queue.places_of(client);
+  }
+  if (runs_at_once &&
+      LineOf(ThreadKind::kCompute).queue.size() < free_threads) {
+    return absl::OkStatus();
+  }
+  if (all_places >= max_queued_ + free_threads) {
     return WithReason(
         WithRetryAfter(
             absl::ResourceExhaustedError(absl::StrCat(
                 "the job queue is full: ", running_.size(), " jobs run and ",
-                queue.places(),
+                all_places,
                 " wait, or are matrices that go on; try again later")),
             kRetryDelay),
         reason::kQueueFull);
   }
-  const size_t places = client.empty() ? 0 : queue.places_of(client);
   // Written so that the largest limit, which means none, does not overflow.
   if (places < free_threads || places - free_threads < max_queued_per_client_) {
     return absl::OkStatus();
@@ -106,13 +112,15 @@ void Scheduler::AskForThreads() {
     return line.workers < most &&
            line.workers < line.running + line.queue.size();
   };
-  while (wants_more(line_, max_running_)) {
-    ++line_.workers;
-    executor_.Schedule([this] { RunOne(line_); });
-  }
-  if (wants_more(preparations_, 1)) {
-    ++preparations_.workers;
-    executor_.ScheduleBeside([this] { RunOne(preparations_); });
+  for (const auto& [kind, most] :
+       {std::pair{ThreadKind::kCompute, max_running_},
+        std::pair{ThreadKind::kDisk, kDiskThreads},
+        std::pair{ThreadKind::kBeside, size_t{1}}}) {
+    Line& line = LineOf(kind);
+    while (wants_more(line, most)) {
+      ++line.workers;
+      executor_.Schedule([this, &line] { RunOne(line); }, kind);
+    }
   }
 }
 
@@ -122,8 +130,9 @@ void Scheduler::Cancel(JobId id) {
   std::stop_source source(std::nostopstate);
   {
     std::lock_guard lock(mutex_);
-    dropped = line_.queue.Remove(id);
-    if (!dropped.has_value()) dropped = preparations_.queue.Remove(id);
+    for (Line& line : lines_) {
+      if (!dropped.has_value()) dropped = line.queue.Remove(id);
+    }
     if (dropped.has_value()) {
       // The other jobs may have waited behind this one.
       AskForThreads();
@@ -136,7 +145,7 @@ void Scheduler::Cancel(JobId id) {
 
 void Scheduler::Expedite(JobId id, JobPriority priority) {
   std::lock_guard lock(mutex_);
-  line_.queue.Expedite(id, priority);
+  for (Line& line : lines_) line.queue.Expedite(id, priority);
   AskForThreads();
 }
 
@@ -157,9 +166,9 @@ void Scheduler::StopAll() {
     std::lock_guard lock(mutex_);
     draining_ = true;
     stopped_ = true;
-    abandoned = line_.queue.Clear();
-    std::ranges::move(preparations_.queue.Clear(),
-                      std::back_inserter(abandoned));
+    for (Line& line : lines_) {
+      std::ranges::move(line.queue.Clear(), std::back_inserter(abandoned));
+    }
     stopped = running_;
   }
   for (auto& [id, source] : stopped) source.request_stop();
@@ -169,8 +178,22 @@ void Scheduler::StopAll() {
 bool Scheduler::WaitIdle(std::chrono::milliseconds limit) {
   std::unique_lock lock(mutex_);
   return idle_.wait_for(lock, limit, [this] {
-    return workers() == 0 && line_.queue.empty() && preparations_.queue.empty();
+    return IsIdle() && std::ranges::all_of(lines_, [](const Line& line) {
+             return line.queue.empty();
+           });
   });
+}
+
+bool Scheduler::IsIdle() const {
+  return std::ranges::all_of(
+      lines_, [](const Line& line) { return line.workers == 0; });
+}
+
+Scheduler::Line& Scheduler::LineOf(const Job& job) {
+  if (job.priority == JobPriority::kPrepare) return LineOf(ThreadKind::kBeside);
+  return LineOf(job.waits_for_disk && job.waits_for_disk()
+                    ? ThreadKind::kDisk
+                    : ThreadKind::kCompute);
 }
 
 size_t Scheduler::running() const {
@@ -181,23 +204,28 @@ size_t Scheduler::running() const {
 size_t Scheduler::idle() const {
   std::lock_guard lock(mutex_);
   const size_t free = FreeThreads();
-  const size_t waiting = line_.queue.size();
+  const size_t waiting = LineOf(ThreadKind::kCompute).queue.size();
   return waiting < free ? free - waiting : 0;
 }
 
 bool Scheduler::is_busy() const {
   std::lock_guard lock(mutex_);
-  return 2 * line_.running >= max_running_;
+  return 2 * LineOf(ThreadKind::kCompute).running >= max_running_;
 }
 
 bool Scheduler::lacks_memory() const {
   std::lock_guard lock(mutex_);
-  return line_.lacks_memory && !line_.queue.empty();
+  const auto lacks = [this](ThreadKind kind) {
+    const Line& line = LineOf(kind);
+    return line.lacks_memory && !line.queue.empty();
+  };
+  return lacks(ThreadKind::kCompute) || lacks(ThreadKind::kDisk);
 }
 
 size_t Scheduler::queued() const {
   std::lock_guard lock(mutex_);
-  return line_.queue.size();
+  return LineOf(ThreadKind::kCompute).queue.size() +
+         LineOf(ThreadKind::kDisk).queue.size();
 }
 
 void Scheduler::RunOne(Line& line) {
@@ -214,7 +242,8 @@ void Scheduler::RunOne(Line& line) {
     bool goes_on = Run(*started, source);
     lock.lock();
     if (goes_on && !stopped_ && !source.stop_requested()) {
-      line.queue.Push(id, {std::move(started->job), Now()});
+      Line& next = LineOf(started->job);
+      next.queue.Push(id, {std::move(started->job), Now()});
     } else if (goes_on) {
       // Frees what the job captured without the lock, before it counts as done.
       const bool is_end = stopped_;
@@ -230,7 +259,7 @@ void Scheduler::RunOne(Line& line) {
   // Each task runs one job, which is fair to others who share the executor.
   // When no job could start, the next change asks again.
   if (progressed) AskForThreads();
-  if (workers() == 0) idle_.notify_all();
+  if (IsIdle()) idle_.notify_all();
 }
 
 bool Scheduler::Run(WaitingJob& started, const std::stop_source& source) {

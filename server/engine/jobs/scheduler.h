@@ -4,6 +4,7 @@
 #define GEODESIC_SERVER_ENGINE_JOBS_SCHEDULER_H_
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
@@ -44,9 +45,10 @@ struct JobTimes {
 // up to 256 of them. If there is none, no memory will come back, and the job is
 // abandoned.
 //
-// Jobs of kPrepare stand in a line of their own and run one at a time beside
-// the others. They should rest while others run, and end when others wait for
-// memory.
+// Jobs that wait for the disk stand in a line of their own and have threads of
+// their own, so that a slow disk delays nobody else. So do jobs of kPrepare,
+// which run one at a time beside the others; they should rest while others run,
+// and end when others wait for memory.
 class Scheduler {
  public:
   using JobId = uint64_t;
@@ -127,11 +129,15 @@ class Scheduler {
 
   // The rest REQUIRES: mutex_ held.
 
-  Line& LineOf(const Job& job) {
-    return job.priority == JobPriority::kPrepare ? preparations_ : line_;
+  Line& LineOf(ThreadKind kind) { return lines_[static_cast<size_t>(kind)]; }
+  const Line& LineOf(ThreadKind kind) const {
+    return lines_[static_cast<size_t>(kind)];
   }
-  size_t workers() const { return line_.workers + preparations_.workers; }
-  size_t FreeThreads() const { return max_running_ - line_.running; }
+  Line& LineOf(const Job& job);
+  bool IsIdle() const;  // no thread has, and none gets, anything to do
+  size_t FreeThreads() const {
+    return max_running_ - LineOf(ThreadKind::kCompute).running;
+  }
   // `runs_at_once`: the job needs no place if a thread is free for it.
   absl::Status CheckRoom(const std::string& client, bool runs_at_once) const;
   // Takes the memory of a job. Errors: as Job::reserve.
@@ -154,8 +160,7 @@ class Scheduler {
   mutable std::mutex mutex_;
   std::condition_variable idle_;
   // Guarded by mutex_:
-  Line line_;          // at most max_running_ workers
-  Line preparations_;  // jobs of kPrepare; at most one worker
+  std::array<Line, kThreadKinds> lines_;
   std::map<JobId, std::stop_source> running_;
   uint64_t next_number_ = 0;
   bool draining_ = false;

@@ -65,6 +65,8 @@ struct SharedWork {
   // Does the work. If it returns nullopt there is more to do: it runs again
   // after `reserve` succeeds again. The checkpoint says when to stop.
   absl::AnyInvocable<absl::StatusOr<std::optional<Result>>(JobCheckpoint&)> run;
+  // See Job. Must not call the SharedJobs.
+  absl::AnyInvocable<bool() const> waits_for_disk = {};
   // Data that all waiters can read while the job runs; may be null.
   std::shared_ptr<Shared> shared;
 };
@@ -207,6 +209,11 @@ class SharedJobs {
             .is_continuation = held->work.is_continuation};
     if (held->work.reserve) {
       job.reserve = [held] { return held->work.reserve(); };
+    }
+    if (held->work.waits_for_disk) {
+      job.waits_for_disk = [held] {
+        return held->work.waits_for_disk && held->work.waits_for_disk();
+      };
     }
     job.run = [this, entry, held](std::stop_token stop) {
       absl::StatusOr<std::optional<Result>> result =

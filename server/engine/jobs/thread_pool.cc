@@ -3,11 +3,12 @@
 namespace geodesic::server {
 
 ThreadPool::ThreadPool(size_t threads) {
-  threads_.reserve(threads + 1);
-  for (size_t i = 0; i < threads; ++i) {
-    threads_.emplace_back([this] { Work(tasks_); });
+  const std::array<size_t, kThreadKinds> counts = {threads, kDiskThreads, 1};
+  for (size_t kind = 0; kind < counts.size(); ++kind) {
+    for (size_t i = 0; i < counts[kind]; ++i) {
+      threads_.emplace_back([this, kind] { Work(lines_[kind]); });
+    }
   }
-  threads_.emplace_back([this] { Work(tasks_beside_); });
 }
 
 ThreadPool::~ThreadPool() {
@@ -15,12 +16,12 @@ ThreadPool::~ThreadPool() {
     std::lock_guard lock(mutex_);
     stopping_ = true;
   }
-  tasks_.changed.notify_all();
-  tasks_beside_.changed.notify_all();
+  for (Line& line : lines_) line.changed.notify_all();
   threads_.clear();  // joins, while the other members still live
 }
 
-void ThreadPool::Add(Task task, Line& line) {
+void ThreadPool::Schedule(Task task, ThreadKind kind) {
+  Line& line = lines_[static_cast<size_t>(kind)];
   {
     std::lock_guard lock(mutex_);
     line.tasks.push_back(std::move(task));

@@ -3,6 +3,7 @@
 #ifndef GEODESIC_SERVER_ENGINE_JOBS_THREAD_POOL_H_
 #define GEODESIC_SERVER_ENGINE_JOBS_THREAD_POOL_H_
 
+#include <array>
 #include <condition_variable>
 #include <cstddef>
 #include <deque>
@@ -17,30 +18,37 @@ namespace geodesic::server {
 
 using Task = absl::AnyInvocable<void()>;
 
+// No task waits for a thread of another kind than its own.
+enum class ThreadKind {
+  kCompute,
+  kDisk,    // for tasks that wait for the disk
+  kBeside,  // for one long task at a time
+};
+inline constexpr int kThreadKinds = 3;
+
+// A disk serves more than one at a time, but not many faster.
+inline constexpr size_t kDiskThreads = 4;
+
 class Executor {
  public:
   virtual ~Executor() = default;
 
-  // Each runs `task` once, later and not on the calling thread's stack, the
-  // second on a thread that no task of the first waits for. Thread-safe.
-  virtual void Schedule(Task task) = 0;
-  virtual void ScheduleBeside(Task task) = 0;
+  // Runs `task` once, later and not on the calling thread's stack. Thread-safe.
+  virtual void Schedule(Task task, ThreadKind kind) = 0;
 };
 
 // Starts tasks in order. The queue is unbounded; Scheduler bounds what it puts
 // there. Thread-safe.
 class ThreadPool final : public Executor {
  public:
-  // One more thread is for tasks beside. REQUIRES: threads > 0.
+  // So many threads are for kCompute, kDiskThreads for kDisk, one for kBeside.
+  // REQUIRES: threads > 0.
   explicit ThreadPool(size_t threads);
 
   // Runs every task that was scheduled, then joins the threads.
   ~ThreadPool() override;
 
-  void Schedule(Task task) override { Add(std::move(task), tasks_); }
-  void ScheduleBeside(Task task) override {
-    Add(std::move(task), tasks_beside_);
-  }
+  void Schedule(Task task, ThreadKind kind) override;
 
  private:
   // Guarded by mutex_ of the pool.
@@ -49,12 +57,10 @@ class ThreadPool final : public Executor {
     std::deque<Task> tasks;
   };
 
-  void Add(Task task, Line& line);
   void Work(Line& line);
 
   std::mutex mutex_;
-  Line tasks_;
-  Line tasks_beside_;
+  std::array<Line, kThreadKinds> lines_;
   bool stopping_ = false;  // guarded by mutex_
 
   std::vector<std::jthread> threads_;

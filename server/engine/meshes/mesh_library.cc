@@ -188,7 +188,10 @@ absl::Status MeshLibrary::Delete(const std::string& digest,
     done(Erase(digest));
     return absl::OkStatus();
   }
-  Job job{.priority = JobPriority::kBuild, .client = client, .abandon = done};
+  Job job{.priority = JobPriority::kBuild,
+          .client = client,
+          .waits_for_disk = [] { return true; },
+          .abandon = done};
   job.run = [this, digest, done = std::move(done)](const std::stop_token&) {
     done(Guarded("deleted a mesh", [&] { return Erase(digest); }));
   };
@@ -270,6 +273,10 @@ absl::StatusOr<UploadJobs::Ticket> MeshLibrary::FinishUpload(
                   if (built && result.ok() && result->has_value())
                     built(**result);
                   return result;
+                },
+            .waits_for_disk =
+                [this, build] {
+                  return catalogue_->is_durable() && build->built.has_value();
                 }};
       });
 }
@@ -288,6 +295,7 @@ std::optional<UploadResult> MeshLibrary::FindUploaded(
 }
 
 absl::Status MeshLibrary::Reserve(MeshBuild& build) {
+  if (build.built.has_value()) return absl::OkStatus();
   return build.upload->is_parsed() ? ReserveForMesh(build)
                                    : build.upload->ReserveForParse();
 }
@@ -312,6 +320,7 @@ absl::Status MeshLibrary::ReserveForMesh(MeshBuild& build) {
 absl::StatusOr<std::optional<UploadResult>> MeshLibrary::Run(
     MeshBuild& build, Checkpoint& checkpoint) {
   MeshUpload& upload = *build.upload;
+  if (build.built.has_value()) return Keep(build);
   if (upload.is_parsed()) return Build(build, checkpoint);
   const absl::StatusOr<bool> is_parsed = upload.Parse(checkpoint);
   if (!is_parsed.ok()) return is_parsed.status();
@@ -328,8 +337,8 @@ absl::StatusOr<std::optional<UploadResult>> MeshLibrary::Run(
   return Build(build, checkpoint);
 }
 
-absl::StatusOr<UploadResult> MeshLibrary::Build(MeshBuild& build,
-                                                Checkpoint& checkpoint) {
+absl::StatusOr<std::optional<UploadResult>> MeshLibrary::Build(
+    MeshBuild& build, Checkpoint& checkpoint) {
   MeshUpload& upload = *build.upload;
   absl::StatusOr<std::shared_ptr<const Mesh>> built =
       Mesh::Build(std::move(upload.soup()), checkpoint);
@@ -339,8 +348,17 @@ absl::StatusOr<UploadResult> MeshLibrary::Build(MeshBuild& build,
                ? WithFieldPath(built.status(), "chunk.data")
                : built.status();
   }
-  ResidentMesh mesh{upload.digest(), *built, Summarize(**built)};
+  build.built = {upload.digest(), *built, Summarize(**built)};
   if (absl::Status s = checkpoint.Poll({}); !s.ok()) return s;
+  // What the build took beside the mesh.
+  upload.memory().ShrinkTo(0);
+  if (catalogue_->is_durable()) return std::nullopt;
+  return Keep(build);
+}
+
+absl::StatusOr<UploadResult> MeshLibrary::Keep(MeshBuild& build) {
+  const MeshUpload& upload = *build.upload;
+  ResidentMesh& mesh = *build.built;
   if (absl::Status s = catalogue_->Put(mesh, upload.file()); !s.ok()) return s;
   MeshDescription description = mesh.Describe();
   if (const auto stored = catalogue_->Describe(mesh.digest)) {
@@ -373,19 +391,27 @@ absl::StatusOr<MeshLoads::Ticket> MeshLibrary::Await(
     return NotResident(digest);
   }
   auto load = std::make_shared<MeshLoad>(MeshLoad{.digest = digest});
-  return loads_.Join(digest, {.done = std::move(done)}, JobPriority::kBuild,
-                     [&] {
-                       return SharedWork<MeshHandle>{
-                           .client = client,
-                           .reserve = [this, load] { return Reserve(*load); },
-                           .run =
-                               [this, load](JobCheckpoint& checkpoint) {
-                                 return Run(*load, checkpoint);
-                               }};
-                     });
+  return loads_.Join(
+      digest, {.done = std::move(done)}, JobPriority::kBuild, [&] {
+        return SharedWork<MeshHandle>{
+            .client = client,
+            .reserve = [this, load] { return Reserve(*load); },
+            .run =
+                [this, load](JobCheckpoint& checkpoint) {
+                  return Run(*load, checkpoint);
+                },
+            .waits_for_disk = [this, load] { return WaitsForDisk(*load); }};
+      });
+}
+
+bool MeshLibrary::WaitsForDisk(const MeshLoad& load) const {
+  if (!catalogue_->is_durable() || load.read.has_value()) return false;
+  return load.fetched.has_value() ||
+         catalogue_->Describe(load.digest).has_value();
 }
 
 absl::Status MeshLibrary::Reserve(MeshLoad& load) {
+  if (load.has_begun()) return absl::OkStatus();
   load.mesh = FindResident(load.digest);
   if (load.mesh != nullptr) return absl::OkStatus();
   if (const auto mesh = catalogue_->Describe(load.digest)) {
@@ -412,9 +438,15 @@ absl::Status MeshLibrary::Reserve(MeshLoad& load, uint64_t vertices,
 absl::StatusOr<std::optional<MeshHandle>> MeshLibrary::Run(
     MeshLoad& load, Checkpoint& checkpoint) {
   if (load.mesh != nullptr) return std::move(load.mesh);
+  if (load.fetched.has_value()) return KeepFetched(load);
   if (load.found.has_value()) {
-    absl::StatusOr<MeshHandle> mesh = Fetch(load, checkpoint);
-    if (!absl::IsUnavailable(mesh.status())) return mesh;
+    absl::StatusOr<ResidentMesh> mesh = Fetch(load, checkpoint);
+    if (mesh.ok()) {
+      load.fetched = *std::move(mesh);
+      load.arrays = {};
+      return std::nullopt;
+    }
+    if (!absl::IsUnavailable(mesh.status())) return mesh.status();
     // The next one may have it, too.
     load.refusal = mesh.status();
     load.next_sibling = load.found->sibling + 1;
@@ -426,7 +458,11 @@ absl::StatusOr<std::optional<MeshHandle>> MeshLibrary::Run(
   if (const auto mesh = catalogue_->Describe(load.digest)) {
     // It may have come to the disk after Reserve.
     if (load.arrays.bytes() == 0) return std::nullopt;
-    return LoadFromDisk(load, *mesh, checkpoint);
+    if (load.read.has_value()) return BuildRead(load, *mesh, checkpoint);
+    absl::StatusOr<TriangleSoup> soup = catalogue_->Load(*mesh, checkpoint);
+    if (!soup.ok()) return soup.status();
+    load.read = *std::move(soup);
+    return std::nullopt;
   }
   if (siblings_ == nullptr) return NotResident(load.digest);
   if (absl::Status s = FindSibling(load, checkpoint); !s.ok()) return s;
@@ -459,12 +495,11 @@ absl::Status MeshLibrary::FindSibling(MeshLoad& load, Checkpoint& checkpoint) {
   return absl::OkStatus();
 }
 
-absl::StatusOr<MeshHandle> MeshLibrary::LoadFromDisk(
-    MeshLoad& load, const MeshDescription& mesh, Checkpoint& checkpoint) {
-  absl::StatusOr<TriangleSoup> soup = catalogue_->Load(mesh, checkpoint);
-  if (!soup.ok()) return soup.status();
+absl::StatusOr<MeshHandle> MeshLibrary::BuildRead(MeshLoad& load,
+                                                  const MeshDescription& mesh,
+                                                  Checkpoint& checkpoint) {
   absl::StatusOr<std::shared_ptr<const Mesh>> built =
-      Mesh::Build(*std::move(soup), checkpoint);
+      Mesh::Build(*std::move(load.read), checkpoint);
   if (absl::IsInvalidArgument(built.status())) {
     // It was built from the same bytes before, so this is a defect.
     return absl::InternalError(absl::StrCat(
@@ -479,8 +514,8 @@ absl::StatusOr<MeshHandle> MeshLibrary::LoadFromDisk(
   return kept;
 }
 
-absl::StatusOr<MeshHandle> MeshLibrary::Fetch(MeshLoad& load,
-                                              Checkpoint& checkpoint) {
+absl::StatusOr<ResidentMesh> MeshLibrary::Fetch(MeshLoad& load,
+                                                Checkpoint& checkpoint) {
   absl::StatusOr<TriangleSoup> soup = siblings_->Read(*load.found, checkpoint);
   if (!soup.ok()) return soup.status();
   absl::StatusOr<std::shared_ptr<const Mesh>> built =
@@ -493,7 +528,11 @@ absl::StatusOr<MeshHandle> MeshLibrary::Fetch(MeshLoad& load,
                      ": ", built.status().message()));
   }
   if (!built.ok()) return built.status();
-  ResidentMesh mesh{load.digest, *built, Summarize(**built)};
+  return ResidentMesh{load.digest, *built, Summarize(**built)};
+}
+
+absl::StatusOr<MeshHandle> MeshLibrary::KeepFetched(MeshLoad& load) {
+  ResidentMesh& mesh = *load.fetched;
   // A disk that is full or fails keeps nobody from an answer: siblings have the
   // mesh, and here it stays in memory alone.
   const bool is_stored = catalogue_->Put(mesh, std::nullopt).ok();

@@ -170,12 +170,13 @@ class MeshLibrary {
   const MeshLoads& loads() const { return loads_; }
 
  private:
-  // An upload whose bytes have come. Its job parses them, then builds the mesh.
-  // Each step begins when its memory is available, because the need of a build
-  // is only known once the file is parsed.
+  // An upload whose bytes have come. Its job parses them, builds the mesh, then
+  // keeps it. Each step begins when its memory is available, because the need
+  // of a build is only known once the file is parsed.
   struct MeshBuild {
     std::unique_ptr<MeshUpload> upload;
     ByteReservation room;  // of the mesh store, once it is parsed
+    std::optional<ResidentMesh> built;
   };
   // Before a load runs it has the mesh, if that has come meanwhile, or memory
   // for it.
@@ -187,6 +188,10 @@ class MeshLibrary {
     absl::Status refusal;              // why the one before did not send it
     ByteReservation arrays;            // and the build's temporary memory
     ByteReservation room;              // of the mesh store
+    std::optional<TriangleSoup> read;  // from the disk
+    std::optional<ResidentMesh> fetched;
+
+    bool has_begun() const { return read.has_value() || fetched.has_value(); }
   };
 
   MeshHandle FindResident(const std::string& digest);
@@ -209,20 +214,24 @@ class MeshLibrary {
   // run it again. No mesh is kept once `checkpoint` has failed.
   absl::StatusOr<std::optional<UploadResult>> Run(MeshBuild& build,
                                                   Checkpoint& checkpoint);
-  absl::StatusOr<UploadResult> Build(MeshBuild& build, Checkpoint& checkpoint);
+  absl::StatusOr<std::optional<UploadResult>> Build(MeshBuild& build,
+                                                    Checkpoint& checkpoint);
+  absl::StatusOr<UploadResult> Keep(MeshBuild& build);
   void AddFile(const MeshUpload& upload);
 
+  bool WaitsForDisk(const MeshLoad& load) const;
   absl::Status Reserve(MeshLoad& load);
   absl::Status Reserve(MeshLoad& load, uint64_t vertices, uint64_t faces);
   // If the result is empty, call Reserve and run it again.
   absl::StatusOr<std::optional<MeshHandle>> Run(MeshLoad& load,
                                                 Checkpoint& checkpoint);
-  absl::StatusOr<MeshHandle> LoadFromDisk(MeshLoad& load,
-                                          const MeshDescription& mesh,
-                                          Checkpoint& checkpoint);
+  absl::StatusOr<MeshHandle> BuildRead(MeshLoad& load,
+                                       const MeshDescription& mesh,
+                                       Checkpoint& checkpoint);
   // Looks for a sibling that has the mesh.
   absl::Status FindSibling(MeshLoad& load, Checkpoint& checkpoint);
-  absl::StatusOr<MeshHandle> Fetch(MeshLoad& load, Checkpoint& checkpoint);
+  absl::StatusOr<ResidentMesh> Fetch(MeshLoad& load, Checkpoint& checkpoint);
+  absl::StatusOr<MeshHandle> KeepFetched(MeshLoad& load);
 
   // Keeps the mesh in memory. If the disk has lost the mesh meanwhile, it is
   // dropped and `value` of the result is null.

@@ -1,0 +1,108 @@
+// A disk that does not answer holds up nobody who does not need it.
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <future>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geodesic_client/client.h"
+#include "tests/integration/meshes.h"
+#include "tests/integration/running_server.h"
+#include "tests/support/until.h"
+
+namespace geodesic::client {
+namespace {
+
+// A server of two threads with a data folder, whose disk can be held.
+class HeldDiskTest : public ::testing::Test {
+ protected:
+  HeldDiskTest() {
+    setenv("LD_PRELOAD", GEODESIC_HELD_DISK_LIBRARY, 1);
+    setenv("GEODESIC_HELD_DISK", pipe_.c_str(), 1);
+    server_.emplace(folder_, std::vector<std::string>{
+                                 "--data-dir", folder_ / "data", "--threads",
+                                 "2", "--drain-seconds", "1"});
+    unsetenv("LD_PRELOAD");
+    unsetenv("GEODESIC_HELD_DISK");
+  }
+
+  void Hold() const { ASSERT_EQ(mkfifo(pipe_.c_str(), 0600), 0); }
+
+  // Lets those go who wait, and who come.
+  void Release() const {
+    const int writer = open(pipe_.c_str(), O_RDWR);
+    ASSERT_GE(writer, 0);
+    std::filesystem::remove(pipe_);
+    close(writer);
+  }
+
+  // Waits until so many flushes are held.
+  void AwaitHeld(uint64_t count) const {
+    const std::string held = pipe_ + ".held";
+    ASSERT_TRUE(test::Until([&] {
+      std::error_code none_yet;
+      const uint64_t size = std::filesystem::file_size(held, none_yet);
+      return !none_yet && size >= count;
+    }));
+  }
+
+  std::future<absl::StatusOr<UploadOutcome>> Upload(int side) const {
+    return std::async(std::launch::async, [this, side] {
+      return Client(server_->address(), {.retry = false})
+          .UploadArrays(HillyGrid(side));
+    });
+  }
+
+  TemporaryFolder folder_;
+  const std::string pipe_ = folder_ / "held";
+  std::optional<RunningServer> server_;
+};
+
+TEST_F(HeldDiskTest, QuestionsAboutResidentMeshesAreAnswered) {
+  Client client(server_->address());
+  const auto resident = client.UploadArrays(HillyGrid(40));
+  ASSERT_TRUE(resident.ok()) << resident.status();
+  Hold();
+  std::vector<std::future<absl::StatusOr<UploadOutcome>>> uploads;
+  for (const int side : {20, 21, 22, 23, 24, 25}) {
+    uploads.push_back(Upload(side));
+  }
+  // As many as threads compute, and more.
+  AwaitHeld(4);
+  for (uint32_t source = 0; source < 20; ++source) {
+    const auto field =
+        client.ComputeField({.mesh_digest = resident->mesh.digest,
+                             .sources = {{VertexPoint{source}}}});
+    ASSERT_TRUE(field.ok()) << field.status();
+  }
+  for (auto& upload : uploads) {
+    EXPECT_EQ(upload.wait_for(std::chrono::seconds(0)),
+              std::future_status::timeout)
+        << "acknowledged before it is on the disk";
+  }
+  Release();
+  for (auto& upload : uploads) {
+    const auto outcome = upload.get();
+    EXPECT_TRUE(outcome.ok()) << outcome.status();
+  }
+}
+
+TEST_F(HeldDiskTest, TheServerEndsAllTheSame) {
+  Hold();
+  auto upload = Upload(20);
+  AwaitHeld(1);
+  server_->Terminate();
+  EXPECT_EQ(server_->Wait(), 3);
+  EXPECT_FALSE(upload.get().ok());
+}
+
+}  // namespace
+}  // namespace geodesic::client
