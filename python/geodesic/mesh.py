@@ -776,7 +776,8 @@ class Mesh:
 
     @functools.cached_property
     def _face_finder(self) -> FaceFinder:
-        return FaceFinder(self.faces)
+        return FaceFinder(self.faces, joined_into(self._backend.reading(),
+                                                  self.n_vertices))
 
     @functools.cached_property
     def _point_finder(self) -> PointFinder:

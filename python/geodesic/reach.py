@@ -16,7 +16,7 @@ from .places import Places, Sources
 _MOST_NAMED = 3
 
 
-def _into(reading: Reading, count: int) -> np.ndarray:
+def joined_into(reading: Reading, count: int) -> np.ndarray:
     """The vertex that each of the `count` vertices was joined into, or itself."""
     into = np.arange(count)
     into[reading[0][:, 0]] = reading[0][:, 1]
@@ -85,7 +85,7 @@ def _vertices(places: Places, faces: np.ndarray) -> np.ndarray:
 def why_unreached(vertices: np.ndarray, faces: np.ndarray, reading: Reading,
                   sources: Sources, target: Places, radius: float) -> str:
     """In words, why no path leads to the one place in `target`."""
-    into = _into(reading, len(vertices))
+    into = joined_into(reading, len(vertices))
     faces = into[faces]
     surface = _surface(faces)
     isolated = np.ones(len(vertices), bool)

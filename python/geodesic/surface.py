@@ -16,12 +16,15 @@ def _in_surface(faces: np.ndarray) -> np.ndarray:
 
 
 class FaceFinder:
-    """Faces by their edges. O(F log F) once."""
+    """Faces by their edges, which are the same where vertices were joined.
+    `into` (V,): the vertex that each was joined into. O(F log F) once."""
 
-    def __init__(self, faces: np.ndarray) -> None:
-        self._faces = faces
-        self._numbers = _in_surface(faces)
-        faces = faces[self._numbers]
+    def __init__(self, faces: np.ndarray, into: np.ndarray) -> None:
+        self._into = into
+        self._named = faces
+        self._faces = into[faces]
+        self._numbers = _in_surface(self._faces)
+        faces = self._faces[self._numbers]
         first = faces.reshape(-1).astype(np.uint64)
         second = faces[:, [1, 2, 0]].reshape(-1).astype(np.uint64)
         keys = (np.minimum(first, second) << np.uint64(32)) | np.maximum(
@@ -37,10 +40,13 @@ class FaceFinder:
             return {int(numbers[0])}
         if kind == 1:
             return {int(numbers[0]), int(numbers[1])}
-        return set(self._faces[numbers[0]].tolist())
+        return set(self._named[numbers[0]].tolist())
 
-    def face_with(self, corners: set) -> int:
-        """The first face that has all these vertices, -1 if there is none."""
+    def face_with(self, named: set) -> int:
+        """A face that has all these vertices, or those that they were joined
+        with; where sheets lie on each other, the one that has most of them by
+        these numbers. -1 if there is none."""
+        corners = {int(self._into[vertex]) for vertex in named}
         if len(corners) == 1:
             [vertex] = corners
             holds = np.any(self._faces[self._numbers] == vertex, axis=1)
@@ -48,12 +54,16 @@ class FaceFinder:
         low, high = sorted(corners)[:2]
         key = np.uint64(low << 32 | high)
         at = np.searchsorted(self._keys, key)
+        best, most = -1, -1
         while at < len(self._keys) and self._keys[at] == key:
             face = int(self._face_of_key[at])
-            if corners <= set(self._faces[face].tolist()):
-                return face
             at += 1
-        return -1
+            if not corners <= set(self._faces[face].tolist()):
+                continue
+            common = len(named & set(self._named[face].tolist()))
+            if common > most:
+                best, most = face, common
+        return best
 
     def along(self, places: Places) -> Tuple[np.ndarray, np.ndarray]:
         """For a polyline on the surface: the face in which the piece after each
@@ -78,11 +88,12 @@ class FaceFinder:
                 continue
             of_face = self._faces[faces[i]]
             if places.kinds[i] == 0:
-                weights[i, of_face == places.numbers[i, 0]] = 1
+                weights[i, of_face == self._into[places.numbers[i, 0]]] = 1
             elif places.kinds[i] == 1:
                 t = places.weights[i, 0]
-                weights[i, of_face == places.numbers[i, 0]] = 1 - t
-                weights[i, of_face == places.numbers[i, 1]] = t
+                first, second = self._into[places.numbers[i, :2]]
+                weights[i, of_face == first] = 1 - t
+                weights[i, of_face == second] = t
             else:
                 weights[i] = places.weights[i]
         return faces, weights

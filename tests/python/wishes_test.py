@@ -140,6 +140,20 @@ class WishesTest(unittest.TestCase):
             geodesic.Mesh(meshes.octahedron()[0], turned).distances(0),
             geodesic.Mesh(meshes.octahedron()[0], oriented).distances(0))
 
+    def test_11_places_on_seams_are_those_of_the_file(self):
+        vertices, faces = meshes.sphere(3)
+        # Each corner a vertex of its own.
+        mesh = geodesic.Mesh(vertices[faces].reshape(-1, 3),
+                             np.arange(faces.size).reshape(-1, 3), weld=True)
+        [to] = np.flatnonzero(np.all(mesh.vertices == -mesh.vertices[0], axis=1))[:1]
+        lines = [mesh.path(0, int(to)), *mesh.isolines(0, levels=[0.4, 1.3])]
+        self.assertEqual(len(lines), 3)
+        for line in lines:
+            corners = mesh.vertices[mesh.faces[line.faces]]
+            np.testing.assert_allclose(
+                np.einsum("ij,ijk->ik", line.barycentric, corners), line.points,
+                atol=1e-12)
+
     def test_12_right_near_sources_on_coarse_meshes_with_several_sources(self):
         # libigl #2442, potpourri3d #30, compas_cgal #73: asked of the heat
         # method; here nothing is approximate.

@@ -60,6 +60,11 @@ absl::Status Validate(const SurfacePoint& point, const Mesh& mesh,
 // REQUIRES: Validate(point, mesh, "").ok().
 SurfacePoint Canonicalize(const SurfacePoint& point, const Mesh& mesh);
 
+// A point of an edge of `face`, by the numbers that the face's corners had
+// before any were joined (Mesh::NamedTriangle); other points stay as they are.
+SurfacePoint NamedIn(uint32_t face, const SurfacePoint& point,
+                     const Mesh& mesh);
+
 // Where the point lies in space, in the unit of the mesh's file.
 // REQUIRES: Validate(point, mesh, "").ok().
 Point PositionOf(const SurfacePoint& point, const Mesh& mesh);

@@ -32,6 +32,7 @@ class BoundaryEdges {
 
   // At the boundary, in order; and the number of one among them.
   const std::vector<uint32_t>& vertices() const { return vertices_; }
+  bool Has(uint32_t vertex) const { return numbers_[vertex] != 0; }
   uint32_t NumberOf(uint32_t vertex) const {
     return static_cast<uint32_t>(numbers_[vertex] - 1);
   }

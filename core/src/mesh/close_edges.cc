@@ -100,7 +100,9 @@ void CloseEdges::Compare(uint32_t edge, uint32_t other,
   const double distance = std::min(straight, turned);
   const double length =
       std::min(Distance(at(a), at(b)), Distance(at(c), at(d)));
-  if (distance <= closeness_.distance && distance <= closeness_.part * length) {
+  // Edges without length are points.
+  if (length > 0 && distance <= closeness_.distance &&
+      distance <= closeness_.part * length) {
     pairs.push_back({.first = edge,
                      .second = other,
                      .is_turned = turned < straight,

@@ -120,10 +120,7 @@ class Seams {
     // The number of each place, and the first edge between two of them.
     absl::flat_hash_map<Point, uint32_t> places;
     absl::flat_hash_map<std::pair<uint32_t, uint32_t>, uint32_t> firsts;
-    // A corner at each place where a boundary edge ends that has a length; and
-    // the edges that have none.
-    absl::flat_hash_map<uint32_t, uint32_t> corner_of;
-    std::vector<uint32_t> points;
+    std::vector<uint32_t> points;  // edges without length
     const auto place_of = [&](uint32_t v) {
       return places
           .try_emplace(soup_.positions[v], static_cast<uint32_t>(places.size()))
@@ -137,21 +134,35 @@ class Seams {
         points.push_back(i);
         continue;
       }
-      corner_of.try_emplace(from, low);
-      corner_of.try_emplace(to, high);
       const auto [first, is_new] = firsts.try_emplace(std::minmax(from, to), i);
       if (is_new) continue;
       Join(i, first->second,
            from != place_of(boundary_.edges()[first->second].low));
     }
-    // A side without length is part of the corner where it lies: its face,
-    // which has no area, is left out.
+    if (points.empty()) return absl::OkStatus();
+    // The ends of a side without length are one corner, and its face is left
+    // out. If no other face has that corner, it is part of any where it lies.
     for (const uint32_t i : points) {
-      const auto& [low, high] = boundary_.edges()[i];
+      JoinVertices(boundary_.edges()[i].low, boundary_.edges()[i].high);
+    }
+    const std::vector<bool> is_on_face = CornersOfFaces();
+    const auto set_of = [&](uint32_t v) {
+      return vertices_.Find(boundary_.NumberOf(v));
+    };
+    absl::flat_hash_map<uint32_t, uint32_t> corner_of;  // by the place
+    for (const auto& [low, high] : boundary_.edges()) {
+      for (const uint32_t v : {low, high}) {
+        if (is_on_face[set_of(v)]) corner_of.try_emplace(place_of(v), v);
+      }
+    }
+    // Sets change their numbers once the first is joined.
+    std::erase_if(points, [&](uint32_t i) {
+      return is_on_face[set_of(boundary_.edges()[i].low)];
+    });
+    for (const uint32_t i : points) {
+      const uint32_t low = boundary_.edges()[i].low;
       const auto corner = corner_of.find(place_of(low));
-      if (corner == corner_of.end()) continue;
-      JoinVertices(low, corner->second);
-      JoinVertices(high, corner->second);
+      if (corner != corner_of.end()) JoinVertices(low, corner->second);
     }
     return absl::OkStatus();
   }
@@ -247,6 +258,25 @@ class Seams {
     JoinVertices(from.low, to.low);
     JoinVertices(from.high, to.high);
     edges_.Join(a, b);
+  }
+
+  // Of the vertices at the boundary, by the numbers of their sets: which have a
+  // face of three corners.
+  std::vector<bool> CornersOfFaces() {
+    std::vector<bool> is_on_face(boundary_.vertices().size());
+    const auto joined = [&](uint32_t v) {
+      return boundary_.Has(v)
+                 ? boundary_.vertices()[vertices_.Find(boundary_.NumberOf(v))]
+                 : v;
+    };
+    for (const auto& [a, b, c] : soup_.triangles) {
+      const Triangle corners = {joined(a), joined(b), joined(c)};
+      if (RepeatsVertex(corners)) continue;
+      for (const uint32_t v : corners) {
+        if (boundary_.Has(v)) is_on_face[boundary_.NumberOf(v)] = true;
+      }
+    }
+    return is_on_face;
   }
 
   void JoinVertices(uint32_t a, uint32_t b) {

@@ -135,6 +135,20 @@ SurfacePoint Canonicalize(const SurfacePoint& point, const Mesh& mesh) {
                     point);
 }
 
+SurfacePoint NamedIn(uint32_t face, const SurfacePoint& point,
+                     const Mesh& mesh) {
+  const auto* on_edge = std::get_if<EdgePoint>(&point);
+  if (on_edge == nullptr || mesh.reading().joined.empty()) return point;
+  EdgePoint named = *on_edge;
+  for (int corner = 0; corner < 3; ++corner) {
+    const uint32_t vertex = mesh.triangle(face)[corner];
+    const uint32_t name = mesh.NamedTriangle(face)[corner];
+    if (vertex == on_edge->from) named.from = name;
+    if (vertex == on_edge->to) named.to = name;
+  }
+  return named;
+}
+
 Point PositionOf(const SurfacePoint& point, const Mesh& mesh) {
   const auto at = [&](uint32_t v) { return mesh.positions()[v]; };
   const auto combine = [](const Point& a, double wa, const Point& b, double wb,

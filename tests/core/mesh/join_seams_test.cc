@@ -12,15 +12,20 @@
 #include <numbers>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "geodesic/algorithm.h"
+#include "geodesic/isolines.h"
 #include "geodesic/mesh.h"
 #include "geodesic/mesh_summary.h"
+#include "geodesic/path.h"
 #include "geodesic/read_mesh.h"
 #include "geodesic/settled_vertices.h"
 #include "geodesic/solve.h"
+#include "geodesic/surface_point.h"
+#include "geodesic/valid_query.h"
 #include "tests/support/checkpoints.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"
@@ -341,6 +346,23 @@ TEST(JoinSeamsTest, AFaceWithoutExtentIsPartOfItsPlace) {
   }
 }
 
+TEST(JoinSeamsTest, SidesWithoutLengthJoinNoPieces) {
+  // Two triangles that touch in a point, written as quadrilaterals.
+  const TriangleSoup soup =
+      Joined({.positions = {{0, 0, 0},
+                            {0, 0, 0},
+                            {1, 1, 0},
+                            {1, -1, 0},
+                            {0, 0, 0},
+                            {0, 0, 0},
+                            {-1, -1, 0},
+                            {-1, 1, 0}},
+              .triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}});
+  EXPECT_THAT(soup.reading.joined,
+              ElementsAre(JoinedVertex{1, 0}, JoinedVertex{5, 4}));
+  EXPECT_EQ(SummaryOf(soup).components, 2u);
+}
+
 TEST(JoinSeamsTest, SidesWithoutLengthAreNotTold) {
   // Two triangles in one point.
   EXPECT_EQ(SummaryOf({.positions = std::vector<Point>(6, Point{1, 2, 3}),
@@ -444,6 +466,54 @@ TEST_F(JoinedAnswers, FieldsAreThoseOfTheWholeFromEachRepeat) {
       EXPECT_NEAR(field->distances[v], expected->distances[InWhole(v)], 1e-14);
     }
     EXPECT_EQ(field->target_distances[0], field->distances[35]);
+  }
+}
+
+// Places on edges name two corners of a face, as the file has it.
+void ExpectOnNamedEdges(const Mesh& mesh,
+                        const std::vector<SurfacePoint>& points) {
+  for (const SurfacePoint& point : points) {
+    const auto* on_edge = std::get_if<EdgePoint>(&point);
+    if (on_edge == nullptr) continue;
+    bool is_edge = false;
+    for (uint32_t face = 0; face < mesh.face_count(); ++face) {
+      const Triangle& corners = mesh.NamedTriangle(face);
+      is_edge |= std::ranges::count(corners, on_edge->from) == 1 &&
+                 std::ranges::count(corners, on_edge->to) == 1;
+    }
+    EXPECT_TRUE(is_edge) << on_edge->from << "-" << on_edge->to;
+  }
+}
+
+TEST_F(JoinedAnswers, PathsAndIsolinesAreOnEdgesOfTheFile) {
+  for (uint32_t source = 0; source < mesh_->vertex_count(); ++source) {
+    const auto query =
+        ValidQuery::Make({.sources = {{VertexPoint{source}}},
+                          .targets = {EdgePoint{33, 34, 0.25}},
+                          .trace = true},
+                         *mesh_);
+    ASSERT_TRUE(query.ok()) << query.status();
+    NoCheckpoint checkpoint;
+    const auto field = Solve(*mesh_, *query, {}, checkpoint);
+    ASSERT_TRUE(field.ok()) << field.status();
+    const auto tracer = PathTracer::Create(*mesh_, *query, *field);
+    ASSERT_TRUE(tracer.ok()) << tracer.status();
+    for (uint32_t target = 0; target < mesh_->vertex_count(); ++target) {
+      const auto path = tracer->ToVertex(target);
+      ASSERT_TRUE(path.ok()) << path.status();
+      ExpectOnNamedEdges(*mesh_, path->points);
+      EXPECT_NEAR(path->length, field->distances[target], 1e-14);
+    }
+    const auto path = tracer->ToTarget(0);
+    ASSERT_TRUE(path.ok()) << path.status();
+    ExpectOnNamedEdges(*mesh_, path->points);
+    const auto isolines = ComputeIsolines(
+        *mesh_, query->DistancesAlone(), {.levels = {0.5, 1.2, 2.1, 3}}, {}, checkpoint);
+    ASSERT_TRUE(isolines.ok()) << isolines.status();
+    ASSERT_FALSE(isolines->empty());
+    for (const Isoline& line : *isolines) {
+      ExpectOnNamedEdges(*mesh_, line.points);
+    }
   }
 }
 

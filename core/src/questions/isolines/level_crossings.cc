@@ -129,7 +129,7 @@ absl::StatusOr<std::vector<Isoline>> LevelCrossings::Isolines(
       if (!status.ok()) return status;
       std::vector<SurfacePoint> points;
       for (uint32_t i = first; i < first + count; ++i) {
-        points.push_back(Canonicalize(samples_[i], mesh_));
+        points.push_back(PointAt(samples_[i]));
       }
       AddIsoline(file_levels[level], std::move(points), true, isolines);
       status = Work(count, poll);
@@ -502,7 +502,7 @@ absl::Status LevelCrossings::AddIsolines(double level,
       const Segment& segment = segments[number];
       for (uint32_t k = 0; k < segment.sample_count; ++k) {
         const uint32_t sample = is_forward ? k : segment.sample_count - 1 - k;
-        add(Canonicalize(samples_[segment.first_sample + sample], mesh_));
+        add(PointAt(samples_[segment.first_sample + sample]));
       }
     }
     const size_t point_count = points.size();
@@ -517,8 +517,16 @@ absl::Status LevelCrossings::AddIsolines(double level,
 SurfacePoint LevelCrossings::PointAt(const Crossing& crossing) const {
   const auto& [level, edge, x] = crossing;
   const auto [low, high] = std::minmax({mesh_.From(edge), mesh_.To(edge)});
-  return Canonicalize(
-      EdgePoint{low, high, std::min(x / mesh_.frame(edge).length, 1.0)}, mesh_);
+  return NamedIn(
+      mesh_.FaceOf(edge),
+      Canonicalize(
+          EdgePoint{low, high, std::min(x / mesh_.frame(edge).length, 1.0)},
+          mesh_),
+      mesh_);
+}
+
+SurfacePoint LevelCrossings::PointAt(const FacePoint& sample) const {
+  return NamedIn(sample.face, Canonicalize(sample, mesh_), mesh_);
 }
 
 }  // namespace geodesic

@@ -138,6 +138,7 @@ class LevelCrossings {
             uint32_t first_sample);
 
   SurfacePoint PointAt(const Crossing& crossing) const;
+  SurfacePoint PointAt(const FacePoint& sample) const;
   void AddIsoline(double level, std::vector<SurfacePoint> points,
                   bool is_closed, std::vector<Isoline>& isolines);
   // Those that `segments` make between the crossings of one level.

@@ -245,7 +245,7 @@ class Walker {
         Norm(InFrame(mesh_, *WithinFace(mesh_, next, face), first) -
              InFrame(mesh_, *WithinFace(mesh_, last_, face), first));
     last_ = next;
-    piece_.points.push_back(next);
+    piece_.points.push_back(NamedIn(face, next, mesh_));
   }
 
   // Ends the piece at its start, `way` back from the end in the frame of h.

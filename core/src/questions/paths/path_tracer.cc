@@ -9,6 +9,7 @@
 #include "geodesic/path.h"
 #include "questions/paths/straight_piece.h"
 #include "questions/paths/traced_field.h"
+#include "surface/surface_location.h"
 
 namespace geodesic {
 namespace {
@@ -20,6 +21,18 @@ absl::Status OutOfRange(const char* name, uint32_t number, const char* owner,
                    count, " ", what, ", numbered from 0"));
 }
 
+// As NamedIn, in any face that holds the point.
+SurfacePoint NamedAnywhere(const SurfacePoint& point, const Mesh& mesh) {
+  if (!std::holds_alternative<EdgePoint>(point)) return point;
+  SurfacePoint named = point;
+  VisitSharedFaces(mesh, point, point,
+                   [&](const FacePoint& at, const FacePoint&) {
+                     named = NamedIn(at.face, point, mesh);
+                     return true;
+                   });
+  return named;
+}
+
 }  // namespace
 
 absl::StatusOr<GeodesicPath> TracePath(const TracedField& field, PathEnd end,
@@ -29,7 +42,7 @@ absl::StatusOr<GeodesicPath> TracePath(const TracedField& field, PathEnd end,
     return GeodesicPath{.distance = kInfinity, .length = kInfinity};
   }
   GeodesicPath path{.distance = distance};
-  path.points.push_back(end.point);
+  path.points.push_back(NamedAnywhere(end.point, field.mesh()));
   // From one vertex to a nearer one: no vertex comes twice.
   for (uint32_t pieces = 0; pieces <= field.mesh().vertex_count(); ++pieces) {
     absl::StatusOr<StraightPiece> piece = FollowBack(field, end, meter);
@@ -76,8 +89,8 @@ absl::StatusOr<GeodesicPath> PathTracer::ToVertex(
   if (vertex >= count) {
     return OutOfRange("vertex", vertex, "mesh", count, "vertices");
   }
-  return Trace(field_->Vertex(vertex), field_->distances().vertices[vertex],
-               checkpoint);
+  return Trace(field_->Vertex(field_->mesh().JoinedInto(vertex)),
+               field_->distances().vertices[vertex], checkpoint);
 }
 
 absl::StatusOr<GeodesicPath> PathTracer::ToTarget(
