@@ -22,7 +22,7 @@ from .local import LocalBackend
 from .places import (Curve, FacePoint, Places, Source, Sources, SurfacePoint,
                      to_numbers, to_places, to_sources)
 from .progress import ProgressOption, reporting
-from .reach import warn, warn_of_isolated, why_unreached
+from .reach import joined_into, warn, warn_of_isolated, why_unreached
 from .results import Field, Isoline, LogMap, Path
 from .surface import FaceFinder, PointFinder
 

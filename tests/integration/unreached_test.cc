@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <tuple>
 #include <vector>
 
+#include "absl/strings/str_cat.h"
 #include "tests/integration/meshes.h"
 #include "tests/integration/running_server.h"
 
@@ -58,6 +60,25 @@ constexpr char kNoFace[] = "vertex 12 is on no face: nothing else";
 constexpr char kSeam[] =
     "it lies in another component of the mesh; it touches others at 2 points, "
     "where vertices lie twice (4 and 1, say)";
+
+TEST_F(UnreachedTest, PairsWithoutAPathAreTold) {
+  const std::string pairs = folder_ / "pairs.txt";
+  WriteFile(pairs, "0 3\n0 6\n8 0\n");
+  const std::string note = absl::StrCat(
+      "no path joins 2 of the pairs, the first of them 0 and 6: ", kSeam);
+  const json answer = GeodesicJson({"distance", mesh_, "--pairs", pairs});
+  EXPECT_THAT(answer["notes"].at(0).get<std::string>(), HasSubstr(note));
+  EXPECT_THAT(answer["distances"],
+              ElementsAre(json(std::sqrt(2.0)), json(), json()));
+  const ProcessResult text = Geodesic({"distance", mesh_, "--pairs", pairs});
+  EXPECT_THAT(text.err, HasSubstr(note));
+}
+
+TEST_F(UnreachedTest, LevelsWithoutLinesAreTold) {
+  const json answer =
+      GeodesicJson({"isolines", mesh_, "-s", "0", "-l", "0.5", "-l", "50"});
+  EXPECT_EQ(answer["notes"].at(0), "no line is 50 away from the sources");
+}
 
 TEST_F(UnreachedTest, ASourceOnNoFaceIsTold) {
   for (const std::vector<std::string>& words :

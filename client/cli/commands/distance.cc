@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <ostream>
 #include <span>
@@ -136,10 +137,13 @@ class Destination {
   absl::Status Append(std::span<const PointPair> pairs,
                       std::span<const double> distances) {
     count_ += distances.size();
-    for (const double distance : distances) {
-      if (!std::isfinite(distance)) continue;
-      ++finite_;
-      largest_ = std::max(largest_, distance);
+    for (size_t i = 0; i < distances.size(); ++i) {
+      if (std::isfinite(distances[i])) {
+        ++finite_;
+        largest_ = std::max(largest_, distances[i]);
+      } else if (!unreached_.has_value()) {
+        unreached_ = pairs[i];
+      }
     }
     if (arguments_.pair.has_value()) pair_ = pairs[0];
     if (keeps()) kept_.insert(kept_.end(), distances.begin(), distances.end());
@@ -212,14 +216,21 @@ class Destination {
       report.json["source"] = PointToJson(pair_.source);
       report.json["target"] = PointToJson(pair_.target);
       report.json[name] = kept_[0];
-      const std::string reason = WhyUnreached(summary);
-      report.json["unreached"] = reason.empty() ? Json() : Json(reason);
-      if (!reason.empty()) {
+      report.json["unreached"] = nullptr;
+      if (unreached_.has_value()) {
+        const std::string reason = WhyUnreached(summary);
+        report.json["unreached"] = reason;
         report.notes.push_back(absl::StrCat(
             "no path leads to ", PointText(pair_.target), ": ", reason));
       }
-    } else if (keeps()) {
-      report.json[name + "s"] = kept_;
+      return report;
+    }
+    if (keeps()) report.json[name + "s"] = kept_;
+    if (unreached_.has_value()) {
+      report.notes.push_back(absl::StrCat(
+          "no path joins ", GroupedNumber(count_ - finite_),
+          " of the pairs, the first of them ", PointText(unreached_->source),
+          " and ", PointText(unreached_->target), ": ", WhyUnreached(summary)));
     }
     return report;
   }
@@ -241,14 +252,16 @@ class Destination {
   }
 
  private:
-  // Of the only pair, if there is no path; otherwise empty.
+  // REQUIRES: unreached_.
   std::string WhyUnreached(const PairSummary& summary) const {
     Source source;
     std::visit([&source](const auto& place) { source.place = place; },
-               pair_.source);
+               unreached_->source);
+    constexpr double kUnreached = std::numeric_limits<double>::infinity();
     return client::WhyUnreached(session_, summary.info.mesh_digest,
-                                {&source, 1}, {&pair_.target, 1},
-                                {&kept_[0], 1}, BeyondRadius(std::nullopt))[0];
+                                {&source, 1}, {&unreached_->target, 1},
+                                {&kUnreached, 1},
+                                BeyondRadius(std::nullopt))[0];
   }
 
   NumberType type() const { return NumberTypeOf(arguments_.float32); }
@@ -261,7 +274,8 @@ class Destination {
   const DistanceArguments& arguments_;
   const Session& session_;
   std::vector<PairWriter> writers_;
-  PointPair pair_;  // the only one, if it is not a list
+  PointPair pair_;                      // the only one, if it is not a list
+  std::optional<PointPair> unreached_;  // the first without a path
   std::vector<double> kept_;
   Lines lines_ = {
       .attributes = {{"pair", NumberType::kInt32}, {"distance", type()}}};
@@ -456,6 +470,7 @@ absl::Status Run(const DistanceArguments& arguments, const Session& session) {
   absl::StatusOr<std::vector<WrittenFile>> files = destination.Commit();
   if (!files.ok()) return files.status();
   if (destination.is_text()) {
+    PrintNotes(session, destination.ReportOf(run.summary()).notes);
     PrintNotes(session, run.summary().info.mesh_notes);
     return absl::OkStatus();
   }

@@ -148,6 +148,10 @@ Report ReportOf(std::vector<double> levels, const IsolineAnswer& answer) {
     report.rows.push_back({NumberText(level), GroupedNumber(lines),
                            GroupedNumber(closed), GroupedNumber(points),
                            ShortNumber(length)});
+    if (lines == 0) {
+      report.notes.push_back(absl::StrCat("no line is ", NumberText(level),
+                                          " away from the sources"));
+    }
     list.push_back({{"level", level},
                     {"lines", lines},
                     {"closed", closed},

@@ -487,11 +487,10 @@ void ExpectOnNamedEdges(const Mesh& mesh,
 
 TEST_F(JoinedAnswers, PathsAndIsolinesAreOnEdgesOfTheFile) {
   for (uint32_t source = 0; source < mesh_->vertex_count(); ++source) {
-    const auto query =
-        ValidQuery::Make({.sources = {{VertexPoint{source}}},
-                          .targets = {EdgePoint{33, 34, 0.25}},
-                          .trace = true},
-                         *mesh_);
+    const auto query = ValidQuery::Make({.sources = {{VertexPoint{source}}},
+                                         .targets = {EdgePoint{33, 34, 0.25}},
+                                         .trace = true},
+                                        *mesh_);
     ASSERT_TRUE(query.ok()) << query.status();
     NoCheckpoint checkpoint;
     const auto field = Solve(*mesh_, *query, {}, checkpoint);
@@ -507,8 +506,9 @@ TEST_F(JoinedAnswers, PathsAndIsolinesAreOnEdgesOfTheFile) {
     const auto path = tracer->ToTarget(0);
     ASSERT_TRUE(path.ok()) << path.status();
     ExpectOnNamedEdges(*mesh_, path->points);
-    const auto isolines = ComputeIsolines(
-        *mesh_, query->DistancesAlone(), {.levels = {0.5, 1.2, 2.1, 3}}, {}, checkpoint);
+    const auto isolines =
+        ComputeIsolines(*mesh_, query->DistancesAlone(),
+                        {.levels = {0.5, 1.2, 2.1, 3}}, {}, checkpoint);
     ASSERT_TRUE(isolines.ok()) << isolines.status();
     ASSERT_FALSE(isolines->empty());
     for (const Isoline& line : *isolines) {
