@@ -38,7 +38,7 @@ std::vector<OptionTakers> AllTakers(const CLI::App& app) {
           {"--compare", true, {}},
           {"--lambda", false, {kHeat}},
           {"--no-intrinsic-delaunay", false, {kHeat}},
-          {"--k", false, {kSvg}},
+          {"--neighbours", false, {kSvg}},
           {"--build-with", false, {kSvg}},
           {"--samples", false, {kGtu}},
           {"--errors",
@@ -65,7 +65,7 @@ void AddApproximateOptions(CLI::App& app, ApproximateOptions& options) {
   app.add_flag("!--no-intrinsic-delaunay",
                options.method.heat.intrinsic_delaunay,
                "heat: use the mesh's own edges");
-  app.add_option("--k", options.method.svg.neighbours,
+  app.add_option("--neighbours", options.method.svg.neighbours,
                  "svg: vertices looked at around each vertex")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

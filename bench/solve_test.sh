@@ -47,7 +47,7 @@ done
 parts=('"exact":false' '"certified_error":null' '"prepare_s":' '"mean_error":')
 options=(--errors)
 for method in fmm fmm-untidy heat svg gtu; do says "$method"; done
-says svg --pairs 3 --landmarks 2 --k 4 --build-with ich --threads 2
+says svg --pairs 3 --landmarks 2 --neighbours 4 --build-with ich --threads 2
 says gtu --samples 4 --threads 2
 says heat --lambda 2 --no-intrinsic-delaunay
 
@@ -64,8 +64,8 @@ refuses() {
   [[ $message == *"$option is no option of $1"* ]] || fail "$*: $message"
 }
 
-refuses --k heat --k 5
-refuses --k fwp-list --k 5
+refuses --neighbours heat --neighbours 5
+refuses --neighbours fwp-list --neighbours 5
 refuses --lambda svg --lambda 2
 refuses --samples svg --samples 4
 refuses --threads fmm --threads 2

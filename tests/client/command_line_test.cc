@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -46,6 +47,22 @@ class CommandLineTest : public ::testing::Test {
   std::ostringstream out_;
   std::ostringstream err_;
 };
+
+// CLI11 2.4 (Debian 13) takes -k and --k for one option and refuses the second.
+TEST_F(CommandLineTest, NoOptionIsShortAndLong) {
+  const manual::Page program = ProgramPage();
+  ASSERT_FALSE(program.commands.empty());
+  for (const manual::Page& command : program.commands) {
+    std::set<std::string> names;
+    for (const manual::Option& option : command.options) {
+      for (const std::string& name : option.names) {
+        EXPECT_TRUE(
+            names.insert(name.substr(name.find_first_not_of('-'))).second)
+            << command.name << " " << name;
+      }
+    }
+  }
+}
 
 TEST_F(CommandLineTest, EachCommandTakesItsOptions) {
   for (const std::vector<const char*>& words :

@@ -14,14 +14,18 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <future>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "server/engine/jobs/scheduler.h"
 #include "tests/engine/uploads.h"
 #include "tests/rpc/questions_fixture.h"
 #include "tests/support/curved_meshes.h"
@@ -125,6 +129,7 @@ class CancelMatrixTest : public test::RpcTest,
  protected:
   ~CancelMatrixTest() override {
     solvers_.endless = false;
+    FreeDisk();
     if (blocker_ != nullptr) blocker_->context.TryCancel();
     if (stopped_.valid()) stopped_.get();
     server_.reset();  // its jobs use the solvers
@@ -156,7 +161,28 @@ class CancelMatrixTest : public test::RpcTest,
     blocker_ = Open(digest_, 0);
     ASSERT_TRUE(Until([&] { return solvers_.starts == 1; }));
   }
+  // The same for the threads that wait for the disk.
+  void BlockDisk() {
+    for (size_t i = 0; i < kDiskThreads; ++i) {
+      Job job{.waits_for_disk = [] { return true; },
+              .run =
+                  [this](const std::stop_token& stop) {
+                    std::unique_lock lock(mutex_);
+                    disk_freed_.wait(lock, stop, [this] { return is_free_; });
+                  },
+              .abandon = [](const absl::Status&) {}};
+      ASSERT_TRUE(server_->engine().scheduler().Submit(std::move(job)).ok());
+    }
+    ASSERT_TRUE(
+        Until([&] { return engine().scheduler().running() == kDiskThreads; }));
+  }
+  void FreeDisk() {
+    std::lock_guard lock(mutex_);
+    is_free_ = true;
+    disk_freed_.notify_all();
+  }
   void Unblock() {
+    FreeDisk();
     if (blocker_ == nullptr) return;
     blocker_->context.TryCancel();
     blocker_->End();
@@ -261,6 +287,9 @@ class CancelMatrixTest : public test::RpcTest,
   std::unique_ptr<v1::FieldService::Stub> relayed_fields_;
 
   std::unique_ptr<test::OpenField> blocker_;
+  std::mutex mutex_;
+  std::condition_variable_any disk_freed_;
+  bool is_free_ = false;  // guarded by mutex_
 
   grpc::ClientContext context_;
   steady_clock::time_point deadline_;
@@ -270,7 +299,7 @@ class CancelMatrixTest : public test::RpcTest,
 // Deletes a mesh, which on this server is a job. It is done though nobody waits
 // for the answer, unless the server stops.
 void CancelMatrixTest::RunUnary() {
-  Block();
+  BlockDisk();
   v1::DeleteMeshRequest request;
   request.set_digest(digest_);
   v1::DeleteMeshResponse response;

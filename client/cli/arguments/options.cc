@@ -310,7 +310,7 @@ void AddApproximation(CLI::App* app, Approximation* approximation) {
         [](double time) { return time > 0 && std::isfinite(time); });
   };
   AddValue(app,
-           {"--k",
+           {"--neighbours",
             "svg: how many vertices around each one are looked at; default: 50",
             "K", "Approximate algorithms"},
            parse_count, &approximation->neighbours);

@@ -192,7 +192,7 @@ void AddQuestion(CLI::App* app, const std::string& output_help,
 void AddAlgorithm(CLI::App* app, const std::string& help,
                   const std::vector<std::string>& names,
                   std::string* algorithm);
-// Adds --k, --lambda and --samples.
+// Adds --neighbours, --lambda and --samples.
 void AddApproximation(CLI::App* app, Approximation* approximation);
 // Adds --tolerance.
 void AddTolerance(CLI::App* app, double* tolerance);

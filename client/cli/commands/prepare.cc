@@ -77,7 +77,7 @@ absl::Status Run(const PrepareArguments& arguments, const Session& session) {
 Command PrepareCommand() {
   return MakeCommand<PrepareArguments>(
       "prepare", "Make what algorithms need, ahead of questions",
-      "  geodesic prepare horse.ply --algorithm svg --k 50\n"
+      "  geodesic prepare horse.ply --algorithm svg --neighbours 50\n"
       "  geodesic prepare horse.ply --algorithm landmarks",
       AddOptions, Run);
 }

@@ -143,7 +143,7 @@ Json ParametersJson(const Approximation& approximation) {
     parameters["lambda"] = *approximation.lambda;
   }
   if (approximation.neighbours.has_value()) {
-    parameters["k"] = *approximation.neighbours;
+    parameters["neighbours"] = *approximation.neighbours;
   }
   if (approximation.samples.has_value()) {
     parameters["samples"] = *approximation.samples;
