@@ -450,7 +450,7 @@ Server::Ending Server::Wait() {
   log_.WaitIdle(clock_.Now() + kCancelGrace, std::stop_token());
   // What computes has stopped.
   if (!engine_.scheduler().WaitIdle(kStoreGrace)) {
-    logger_->error("the disk does not answer: {} jobs are left",
+    logger_->error("{} jobs do not end; perhaps the disk does not answer",
                    engine_.scheduler().running());
     return Ending::kStuck;
   }

@@ -21,6 +21,7 @@
 #include "geodesic/checkpoint.h"
 #include "mesh/connectivity.h"
 #include "mesh/locality.h"
+#include "mesh/same_edges.h"
 #include "mesh/scaled_difference.h"
 #include "tolerances.h"
 
@@ -256,7 +257,6 @@ absl::StatusOr<std::shared_ptr<const Mesh>> Mesh::Build(
   mesh->irregular_half_edges_ = std::move(connectivity.irregular_half_edges);
   mesh->irregular_begin_.shrink_to_fit();
   mesh->irregular_half_edges_.shrink_to_fit();
-  mesh->FindCopies();
   if (absl::Status status = checkpoint.Poll({}); !status.ok()) return status;
   ConeAngles angles(mesh->vertex_count());
   if (absl::Status status =
@@ -264,6 +264,7 @@ absl::StatusOr<std::shared_ptr<const Mesh>> Mesh::Build(
       !status.ok()) {
     return status;
   }
+  mesh->FindCopies();
   if (absl::Status status = checkpoint.Poll({}); !status.ok()) return status;
   mesh->ClassifyVertices(connectivity.is_closed_fan, angles);
   return mesh;
@@ -305,7 +306,10 @@ void Mesh::FindCopies() {
     }
     std::ranges::sort(over_edge);
     for (size_t j = 1; j < over_edge.size(); ++j) {
-      if (over_edge[j].first != over_edge[j - 1].first) continue;
+      if (over_edge[j].first != over_edge[j - 1].first ||
+          !HaveSameEdges(*this, over_edge[j].second, over_edge[j - 1].second)) {
+        continue;
+      }
       copies_.resize(face_count());
       copies_[over_edge[j].second / 3] = true;
     }

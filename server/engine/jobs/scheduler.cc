@@ -74,9 +74,10 @@ absl::Status Scheduler::CheckRoom(const std::string& client,
   // A job for which a thread is free does not wait.
   const size_t free_threads = FreeThreads();
   size_t all_places = 0, places = 0;
-  for (const Line& line : lines_) {
-    all_places += line.queue.places();
-    if (!client.empty()) places += line.queue.places_of(client);
+  for (const ThreadKind kind : {ThreadKind::kCompute, ThreadKind::kDisk}) {
+    const JobQueue& queue = LineOf(kind).queue;
+    all_places += queue.places();
+    if (!client.empty()) places += queue.places_of(client);
   }
   if (runs_at_once &&
       LineOf(ThreadKind::kCompute).queue.size() < free_threads) {

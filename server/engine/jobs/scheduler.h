@@ -134,7 +134,7 @@ class Scheduler {
     return lines_[static_cast<size_t>(kind)];
   }
   Line& LineOf(const Job& job);
-  bool IsIdle() const;  // no thread has, and none gets, anything to do
+  bool IsIdle() const;  // no thread has a job, or was asked to take one
   size_t FreeThreads() const {
     return max_running_ - LineOf(ThreadKind::kCompute).running;
   }

@@ -282,8 +282,77 @@ TEST(JoinSeamsTest, TwoSidedSheetsMeetAtTheRim) {
   }
 }
 
+// A sheet with a bump on a flat one, both cut along one diagonal: faces of the
+// same corners are not the same, whichever comes first and however they turn.
+TEST(JoinSeamsTest, SheetsOfTheSameCornersAreTwo) {
+  const TriangleSoup soup = {
+      .positions = {{0, 0, 0},
+                    {1, 0, 0},
+                    {1, 1, 0},
+                    {0, 1, 0},
+                    {0, 0, 0},
+                    {1, 0, 0},
+                    {1, 1, 0},
+                    {0, 1, 0},
+                    {0.3, 0.3, 0.2}},
+      .triangles = {
+          {0, 1, 3}, {1, 2, 3}, {4, 5, 8}, {5, 7, 8}, {7, 4, 8}, {5, 6, 7}}};
+  // Straight over the middle of the upper diagonal, and in the plane.
+  const double over = std::sqrt(0.5) + std::sqrt(0.12);
+  for (int first = 0; first < 6; ++first) {
+    for (const bool is_turned : {false, true}) {
+      TriangleSoup other = soup;
+      if (is_turned) {
+        for (int face = 2; face < 6; ++face) {
+          std::swap(other.triangles[face][0], other.triangles[face][1]);
+        }
+      }
+      std::rotate(other.triangles.begin(), other.triangles.begin() + first,
+                  other.triangles.end());
+      const auto mesh = Mesh::Build(Joined(std::move(other)));
+      ASSERT_TRUE(mesh.ok()) << mesh.status();
+      for (const AlgorithmInfo& info : kAlgorithms) {
+        const auto field = Solve(**mesh, {.sources = {{VertexPoint{2}}},
+                                          .algorithm = info.algorithm});
+        ASSERT_TRUE(field.ok()) << field.status();
+        EXPECT_NEAR(field->distances[8], over, 1e-14) << info.name;
+        EXPECT_NEAR(field->distances[0], std::numbers::sqrt2, 1e-14);
+      }
+    }
+  }
+}
+
+// Faces of the same corners at the corners of two such squares: a path goes
+// from one into the other, and on over its diagonal.
+TEST(JoinSeamsTest, PathsGoOnBehindFacesOfTheSameCorners) {
+  const std::vector<Point> square = {
+      {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  TriangleSoup soup = {
+      .positions = square,
+      .triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}};
+  soup.positions.insert(soup.positions.end(), square.begin(), square.end());
+  const auto mesh = Mesh::Build(Joined(std::move(soup)));
+  ASSERT_TRUE(mesh.ok()) << mesh.status();
+  // From (0.8, 0.2) behind to (1, 1), (0, 1), all straight in the plane.
+  for (const AlgorithmInfo& info : kAlgorithms) {
+    const auto field =
+        Solve(**mesh, {.sources = {{FacePoint{2, {0.2, 0.6, 0.2}}}},
+                       .targets = {FacePoint{3, {0.2, 0.2, 0.6}},
+                                   FacePoint{0, {0.2, 0.6, 0.2}},
+                                   FacePoint{1, {0.2, 0.2, 0.6}}},
+                       .algorithm = info.algorithm});
+    ASSERT_TRUE(field.ok()) << field.status();
+    EXPECT_NEAR(field->distances[3], std::hypot(0.8, 0.8), 1e-14) << info.name;
+    EXPECT_NEAR(field->target_distances[0], std::hypot(0.6, 0.6), 1e-14);
+    // In front: over the rim, 0.2 away; the other half 0.2 from (0, 1).
+    EXPECT_NEAR(field->target_distances[1], 0.4, 1e-14) << info.name;
+    // Unfolded over the side below, or the one to the right.
+    EXPECT_NEAR(field->target_distances[2], std::hypot(0.6, 1.0), 1e-14);
+  }
+}
+
 // The same of many faces: from behind, everything is as far as by the rim.
-TEST(JoinSeamsTest, TwoSidedGridsMeetAtTheRim) {
+void ExpectGridsMeetAtTheRim(bool is_turned) {
   constexpr uint32_t kSide = 5;
   TriangleSoup soup = test::MakeGrid({.columns = kSide - 1, .rows = kSide - 1});
   const auto count = static_cast<uint32_t>(soup.positions.size());
@@ -292,7 +361,9 @@ TEST(JoinSeamsTest, TwoSidedGridsMeetAtTheRim) {
   const std::vector<Triangle> triangles = soup.triangles;
   soup.positions.insert(soup.positions.end(), front.begin(), front.end());
   for (const auto& [a, b, c] : triangles) {
-    soup.triangles.push_back({c + count, b + count, a + count});
+    soup.triangles.push_back(is_turned
+                                 ? Triangle{c + count, b + count, a + count}
+                                 : Triangle{a + count, b + count, c + count});
   }
   const auto mesh = Mesh::Build(Joined(std::move(soup)));
   ASSERT_TRUE(mesh.ok()) << mesh.status();
@@ -318,6 +389,11 @@ TEST(JoinSeamsTest, TwoSidedGridsMeetAtTheRim) {
           << source << " to behind " << v;
     }
   }
+}
+
+TEST(JoinSeamsTest, TwoSidedGridsMeetAtTheRim) {
+  ExpectGridsMeetAtTheRim(true);
+  ExpectGridsMeetAtTheRim(false);
 }
 
 // A triangle without extent at a corner of a square in two pieces.

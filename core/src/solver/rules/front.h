@@ -17,6 +17,7 @@
 
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
+#include "mesh/same_edges.h"
 #include "solver/accuracy.h"
 #include "solver/curve_segment.h"
 #include "solver/goal.h"
@@ -302,7 +303,8 @@ class Front {
   // first of them as well.
   bool MayEnter(HalfEdge side, HalfEdge beyond) const {
     if (!mesh_.HasCopies() || Watches(beyond)) return true;
-    return !mesh_.IsCopy(beyond) && mesh_.Apex(beyond) != mesh_.Apex(side);
+    return !mesh_.IsCopy(beyond) && (mesh_.Apex(beyond) != mesh_.Apex(side) ||
+                                     !HaveSameEdges(mesh_, beyond, side));
   }
 
   // Calls enter(half_edge, origin, interval) for every face beyond `side` that
