@@ -40,24 +40,28 @@ std::vector<Crowd> Crowds(uint32_t faces) {
           {"grid", build(MakeGrid({.columns = 20, .rows = faces / 40})), 0}};
 }
 
-TEST(Stopping, EveryQuestionEndsAtThePollThatSaysSo) {
-  for (const Crowd& crowd : Crowds(800)) {
-    for (const AnyQuestion& question : EveryQuestion(/*algorithms=*/true)) {
-      SCOPED_TRACE(crowd.name + ", " + question.name);
-      RecordingCheckpoint whole;
-      if (!question.ask(*crowd.mesh, crowd.source, whole).ok()) continue;
-      const uint64_t polls = whole.polls().size();
-      ASSERT_GT(polls, 0u);
-      for (uint64_t poll = 0; poll < polls; poll += 1 + poll / 2) {
-        RecordingCheckpoint checkpoint(poll);
-        EXPECT_EQ(question.ask(*crowd.mesh, crowd.source, checkpoint),
-                  RecordingCheckpoint::Stopped())
-            << poll;
-        EXPECT_EQ(checkpoint.polls().size(), poll + 1);
-      }
+class StoppingTest : public ::testing::TestWithParam<size_t> {};
+
+TEST_P(StoppingTest, EveryQuestionEndsAtThePollThatSaysSo) {
+  const Crowd crowd = Crowds(800)[GetParam()];
+  for (const AnyQuestion& question : EveryQuestion(/*algorithms=*/true)) {
+    SCOPED_TRACE(crowd.name + ", " + question.name);
+    RecordingCheckpoint whole;
+    if (!question.ask(*crowd.mesh, crowd.source, whole).ok()) continue;
+    const uint64_t polls = whole.polls().size();
+    ASSERT_GT(polls, 0u);
+    for (uint64_t poll = 0; poll < polls; poll += 1 + poll / 2) {
+      RecordingCheckpoint checkpoint(poll);
+      EXPECT_EQ(question.ask(*crowd.mesh, crowd.source, checkpoint),
+                RecordingCheckpoint::Stopped())
+          << poll;
+      EXPECT_EQ(checkpoint.polls().size(), poll + 1);
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Crowds, StoppingTest,
+                         ::testing::Range(size_t{0}, size_t{8}));
 
 uint64_t PollsOf(const std::string& name, const TriangleSoup& soup,
                  uint32_t source) {
