@@ -14,6 +14,12 @@ constexpr uint64_t kBetweenPolls = uint64_t{1} << 16;
 // The numbers of cubes along an axis stay exact.
 constexpr double kMostCubes = 0x1p50;
 
+// For the rounding of middles and cubes.
+constexpr double kMargin = 1.25;
+
+// The larger, the fewer cubes a search looks into, and the more lies in them.
+constexpr double kReachesPerCube = 4;
+
 double Distance(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
@@ -36,8 +42,10 @@ CloseEdges::CloseEdges(std::span<const Point> positions,
       farthest = std::max({farthest, std::abs(a[axis]), std::abs(b[axis])});
     }
   }
-  side_ = std::max({std::min(closeness_.distance, closeness_.part * longest),
-                    farthest / kMostCubes, 1e-300});
+  reach_ = kMargin *
+           std::max({std::min(closeness_.distance, closeness_.part * longest),
+                     farthest / kMostCubes, 1e-300});
+  side_ = kReachesPerCube * reach_;
   last_.reserve(edges_.size());
   for (uint32_t i = 0; i < edges_.size(); ++i) {
     const auto [entry, is_new] =
@@ -51,13 +59,22 @@ CloseEdges::CloseEdges(std::span<const Point> positions,
 
 absl::Status CloseEdges::Find(uint32_t edge, Checkpoint& checkpoint,
                               std::vector<ClosePair>& pairs, uint32_t most) {
-  const Point cube = CubeOf(Middle(edges_[edge]));
-  for (int step = 0; step < 27; ++step) {
-    // + 0.0: -0 and 0 are one number.
-    const int row = step / 3 % 3, layer = step / 9;
-    const auto found =
-        last_.find({cube[0] + step % 3 - 1 + 0.0, cube[1] + row - 1 + 0.0,
-                    cube[2] + layer - 1 + 0.0});
+  // Most that are in reach lie in the same cube.
+  const Point middle = Middle(edges_[edge]);
+  const Point low =
+      CubeOf({middle[0] - reach_, middle[1] - reach_, middle[2] - reach_});
+  const Point high =
+      CubeOf({middle[0] + reach_, middle[1] + reach_, middle[2] + reach_});
+  for (int step = 0; step < 8; ++step) {
+    Point cube;
+    bool is_new = true;
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool is_high = (step >> axis & 1) != 0;
+      is_new &= !is_high || high[axis] != low[axis];
+      cube[axis] = is_high ? high[axis] : low[axis];
+    }
+    if (!is_new) continue;
+    const auto found = last_.find(cube);
     if (found == last_.end()) continue;
     for (uint32_t other = found->second; other != kNone;
          other = before_[other]) {

@@ -38,7 +38,7 @@ class CloseEdges {
              std::span<const VertexPair> edges, const Closeness& closeness);
 
   // Appends the pairs of `edge` and another one, among the `most` edges that
-  // are looked at first. O(27 + edges in the cubes around it). Errors: whatever
+  // are looked at first. O(8 + edges in the cubes around it). Errors: whatever
   // `checkpoint` returns.
   absl::Status Find(uint32_t edge, Checkpoint& checkpoint,
                     std::vector<ClosePair>& pairs,
@@ -53,7 +53,8 @@ class CloseEdges {
   const std::span<const Point> positions_;
   const std::span<const VertexPair> edges_;
   const Closeness closeness_;
-  double side_ = 0;  // of a cube
+  double reach_ = 0;  // between middles of close edges
+  double side_ = 0;   // of a cube
   // The last edge in each cube, and the one before each.
   absl::flat_hash_map<Point, uint32_t> last_;
   std::vector<uint32_t> before_;
