@@ -11,7 +11,10 @@ import { temporaryFolder } from "./folder.mjs";
 import { server, sphere, SPHERE } from "./setup.mjs";
 
 /** Shows these sources, in the words of the address. */
-const show = (viewer, question) => viewer.page.evaluate((question) => (location.hash += question), question);
+async function show(viewer, question) {
+  await viewer.address();
+  await viewer.page.evaluate((question) => (location.hash += question), question);
+}
 
 /** What is written on a picture that is saved, in a line, and the picture. */
 async function savePicture(viewer) {
