@@ -23,14 +23,9 @@ absl::Status OutOfRange(const char* name, uint32_t number, const char* owner,
 
 // As NamedIn, in any face that holds the point.
 SurfacePoint NamedAnywhere(const SurfacePoint& point, const Mesh& mesh) {
-  if (!std::holds_alternative<EdgePoint>(point)) return point;
-  SurfacePoint named = point;
-  VisitSharedFaces(mesh, point, point,
-                   [&](const FacePoint& at, const FacePoint&) {
-                     named = NamedIn(at.face, point, mesh);
-                     return true;
-                   });
-  return named;
+  return std::holds_alternative<EdgePoint>(point)
+             ? NamedIn(FirstFaceAround(mesh, point).face, point, mesh)
+             : point;
 }
 
 }  // namespace
