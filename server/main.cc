@@ -74,9 +74,8 @@ bool WriteLine(const std::string& path, const std::string& line) {
   return static_cast<bool>(file << line << '\n' << std::flush);
 }
 
-// As many descriptors as this process may have: where gRPC finds none for a
-// connection, it takes none any more. The soft limit of most systems is 1,024,
-// for programs that call select().
+// As many descriptors as this process may have. The soft limit of most systems
+// is 1,024, for programs that call select().
 void RaiseDescriptorLimit() {
   rlimit limit = {};
   if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;

@@ -275,6 +275,7 @@ absl::Status Server::Start() {
   if (status.ok()) status = StartOperations();
   if (!status.ok()) {
     door_.reset();
+    acceptor_->Stop();
     grpc_server_.reset();
     return status;
   }
@@ -284,12 +285,9 @@ absl::Status Server::Start() {
 
 absl::Status Server::Listen(
     std::shared_ptr<grpc::ServerCredentials> credentials) {
-  const std::optional<std::string> socket = SocketPath(options_.listen);
-  if (socket) {
-    if (absl::Status status = CheckSocketPath(*socket); !status.ok()) {
-      return status;
-    }
-  }
+  absl::StatusOr<std::unique_ptr<Acceptor>> acceptor =
+      Acceptor::Listen(options_.listen);
+  if (!acceptor.ok()) return acceptor.status();
   // Registers the descriptor of the health service for reflection.
   grpc::health::v1::HealthCheckRequest::descriptor();
 
@@ -300,25 +298,27 @@ absl::Status Server::Listen(
   if (options_.channelz) grpc::channelz::experimental::InitChannelzService();
 
   grpc::ServerBuilder builder;
-  // Otherwise two servers could share a port, each with half of the meshes.
-  builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
   BoundConnections(options_, builder);
   builder.SetMaxReceiveMessageSize(
       static_cast<int>(options_.max_message_bytes));
-  builder.AddListeningPort(options_.listen, std::move(credentials), &port_);
+  const std::shared_ptr<grpc::experimental::ExternalConnectionAcceptor>
+      connections = builder.experimental().AddExternalConnectionAcceptor(
+          grpc::ServerBuilder::experimental_type::ExternalConnectionType::
+              FROM_FD,
+          std::move(credentials));
   for (const auto& service : services_) builder.RegisterService(service.get());
-  {
-    std::optional<PrivateFiles> only_for_this_user;
-    if (socket) only_for_this_user.emplace();
-    grpc_server_ = builder.BuildAndStart();
+  grpc_server_ = builder.BuildAndStart();
+  if (grpc_server_ == nullptr) {
+    return absl::UnavailableError("gRPC cannot start a server");
   }
-  if (grpc_server_ == nullptr || port_ == 0) {
-    grpc_server_.reset();
-    return absl::UnavailableError(absl::StrCat(
-        "cannot listen on ", options_.listen,
-        socket ? ": its folder is missing or cannot be written to"
-               : ": the port is in use or the address is not of this machine"));
-  }
+  acceptor_ = *std::move(acceptor);
+  acceptor_->Start([connections](int connection, int listener) {
+    grpc::experimental::ExternalConnectionAcceptor::NewConnectionParameters
+        accepted;
+    accepted.listener_fd = listener;
+    accepted.fd = connection;
+    connections->HandleNewConnection(&accepted);
+  });
   return absl::OkStatus();
 }
 
@@ -414,7 +414,7 @@ bool Server::IsReady() {
 bool Server::IsAlive() {
   // The kernel does not say how many wait at a socket with a path.
   const std::optional<uint64_t> waiting =
-      SocketPath(options_.listen) ? std::nullopt : WaitingConnections(port_);
+      SocketPath(options_.listen) ? std::nullopt : WaitingConnections(port());
   return accept_watch_.IsServed(waiting.value_or(0), clock_.Now());
 }
 
@@ -446,6 +446,7 @@ Server::Ending Server::Wait() {
   if (in_order) engine_.scheduler().WaitIdle(kStoreGrace);
   // Ends the requests that wait for a job. Shutdown cuts off those that stream.
   engine_.scheduler().StopAll();
+  acceptor_->Stop();
   grpc_server_->Shutdown(std::chrono::system_clock::now() + kFlushGrace);
   log_.WaitIdle(clock_.Now() + kCancelGrace, std::stop_token());
   // What computes has stopped.

@@ -20,6 +20,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "server/acceptor.h"
 #include "server/engine/base/clock.h"
 #include "server/engine/jobs/thread_pool.h"
 #include "server/engine/meshes/shared_meshes.h"
@@ -66,7 +67,7 @@ class Server {
   absl::Status Start();
 
   // The port served on. REQUIRES: Start succeeded, not with a socket.
-  int port() const { return port_; }
+  int port() const { return acceptor_->port(); }
 
   // Begins to drain and returns at once: health checks answer NOT_SERVING, new
   // work is refused, and Wait cancels what has not ended after `grace`. A
@@ -133,7 +134,7 @@ class Server {
   const std::vector<std::unique_ptr<Service>> services_;
   std::optional<TlsCopies> tls_copies_;  // gRPC follows them
   std::unique_ptr<grpc::Server> grpc_server_;
-  int port_ = 0;
+  std::unique_ptr<Acceptor> acceptor_;
   AcceptWatch accept_watch_;
 
   std::stop_source hurry_;  // cuts the grace short

@@ -29,6 +29,8 @@ class FileDescriptor {
   ~FileDescriptor();
 
   int get() const { return number_; }
+  // The caller closes it.
+  int Release() { return std::exchange(number_, -1); }
 
  private:
   int number_ = -1;

@@ -4,12 +4,14 @@ in front of it. Honest clients are served meanwhile."""
 
 import os
 import re
+import resource
 import shutil
 import socket
 import subprocess
 import sys
 import tempfile
 import unittest
+import urllib.request
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../support/python"))
 import geodesic_service  # noqa: E402
@@ -172,6 +174,27 @@ class AttacksTest(unittest.TestCase):
             attacker.stop()
         print(attack, result, "peak %d MiB" % (self.service.peak_bytes() / MIB))
         return result
+
+    def test_connections_leave_descriptors_for_others(self):
+        client = Client(self.service.port)
+        self.addCleanup(client.close)
+        digest = client.upload_triangle()
+        resource.prlimit(self.service.process.pid, resource.RLIMIT_NOFILE,
+                         (256, 256))
+        crowd = [socket.create_connection(("127.0.0.1", self.service.port))
+                 for _ in range(600)]
+        # The server closes those that it has no descriptor for.
+        crowd[-1].settimeout(60)
+        self.assertEqual(crowd[-1].recv(1 << 16), b"")
+        self.assertEqual(client.field(digest)[-1].WhichOneof("part"),
+                         "trailer")
+        for path in ("livez", "metrics"):
+            with urllib.request.urlopen("http://127.0.0.1:%s/%s" % (
+                    self.service.metrics_port, path), timeout=60) as answer:
+                self.assertEqual(answer.status, 200)
+        for connection in crowd:
+            connection.close()
+        self.serves(self.service.port)
 
     def test_half_requests_stay_within_their_budget(self):
         self.serves(self.service.port)
