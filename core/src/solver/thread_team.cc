@@ -1,5 +1,7 @@
 #include "solver/thread_team.h"
 
+#include <system_error>
+
 namespace geodesic {
 namespace {
 
@@ -34,7 +36,11 @@ Number AwaitChange(const std::atomic<Number>& value, Number old) {
 ThreadTeam::ThreadTeam(uint32_t size) {
   threads_.reserve(size - 1);
   for (uint32_t member = 1; member < size; ++member) {
-    threads_.emplace_back([this, member] { Serve(member); });
+    try {
+      threads_.emplace_back([this, member] { Serve(member); });
+    } catch (const std::system_error&) {
+      return;  // the system has no more threads
+    }
   }
 }
 

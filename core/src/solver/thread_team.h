@@ -20,7 +20,8 @@ inline constexpr size_t kCacheLine = 64;
 // calling thread at a time.
 class ThreadTeam {
  public:
-  // REQUIRES: size >= 1.
+  // Has fewer members where the system has no more threads. REQUIRES: size
+  // >= 1.
   explicit ThreadTeam(uint32_t size);
   ~ThreadTeam();
   ThreadTeam(const ThreadTeam&) = delete;

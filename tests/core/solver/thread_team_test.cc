@@ -1,6 +1,8 @@
 #include "solver/thread_team.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <cstdint>
@@ -25,6 +27,22 @@ TEST(ThreadTeamTest, TheCallerAlwaysWorksAndTheOthersAtMostOnceACall) {
       }
     }
   }
+}
+
+// As a user that may have no more threads than there are.
+void WorkWithoutMoreThreads() {
+  constexpr rlimit kNone = {1, 1};
+  if (setrlimit(RLIMIT_NPROC, &kNone) != 0) _exit(2);
+  // The limit does not hold for the first user.
+  if (geteuid() == 0 && setuid(65534) != 0) _exit(3);
+  uint32_t calls = 0;
+  ThreadTeam team(4);
+  team.Run([&](uint32_t) { ++calls; });
+  _exit(team.size() == 1 && calls == 1 ? 0 : 1);
+}
+
+TEST(ThreadTeamTest, IsSmallerWhereTheSystemHasNoMoreThreads) {
+  EXPECT_EXIT(WorkWithoutMoreThreads(), ::testing::ExitedWithCode(0), "");
 }
 
 TEST(ThreadTeamTest, EveryMemberComesIfThereIsTime) {
