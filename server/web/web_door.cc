@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "absl/strings/ascii.h"
+#include "absl/strings/match.h"
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
 #include "server/operations/listen_address.h"
@@ -99,6 +100,30 @@ std::string_view Header(MHD_Connection* connection, const char* name) {
   return value == nullptr ? std::string_view() : std::string_view(value);
 }
 
+// Why the end of a request's body, or the host it is for, is not clear, so that
+// a proxy may have read another request; empty if they are (RFC 9112, sections
+// 3.2 and 6.3).
+std::string_view Ambiguity(const HttpHeaders& headers) {
+  const auto count = [&](std::string_view name) {
+    return std::ranges::count_if(headers, [&](const auto& header) {
+      return absl::EqualsIgnoreCase(
+          header.first, absl::string_view(name.data(), name.size()));
+    });
+  };
+  if (count("Host") > 1) return "the request names its host twice";
+  if (count("Content-Length") + count("Transfer-Encoding") > 1) {
+    return "the request tells the length of its body twice";
+  }
+  return "";
+}
+
+// Undoes "%20" and the like in a path; leaves one alone that "%00" would end.
+size_t Unescape(void*, MHD_Connection*, char* text) {
+  const std::string_view path = text;
+  return path.find("%00") == std::string_view::npos ? MHD_http_unescape(text)
+                                                    : path.size();
+}
+
 // The browser's address as gRPC writes one.
 std::string Address(MHD_Connection* connection) {
   const auto* info =
@@ -156,6 +181,10 @@ class WebDoor::Exchange {
   // The request's head has come.
   MHD_Result Begin(std::string_view method, const std::string& path) {
     door_.watch_.Rest(number_);
+    const std::string_view ambiguity = Ambiguity(HeadersOf(connection_));
+    if (!ambiguity.empty()) {
+      return Refuse(connection_, MHD_HTTP_BAD_REQUEST, std::string(ambiguity));
+    }
     const std::string_view host = Header(connection_, "Host");
     if (!door_.policy_.IsHost(host)) {
       return Refuse(
@@ -424,7 +453,8 @@ absl::Status WebDoor::Start() {
       MHD_OPTION_CONNECTION_TIMEOUT,
       static_cast<unsigned>(options_.patience.count()),
       MHD_OPTION_CONNECTION_MEMORY_LIMIT, kConnectionBytes,
-      MHD_OPTION_STRICT_FOR_CLIENT, 1, MHD_OPTION_END));
+      MHD_OPTION_STRICT_FOR_CLIENT, 1, MHD_OPTION_UNESCAPE_CALLBACK, &Unescape,
+      nullptr, MHD_OPTION_END));
   if (daemon_ != nullptr) return absl::OkStatus();
   return absl::UnavailableError(absl::StrCat(
       "cannot serve the page on ", options_.listen,

@@ -38,7 +38,7 @@ struct WebDoorOptions {
   std::string certificate;
   std::string key;
   // Largest message and largest body of a request.
-  uint64_t max_message_bytes = uint64_t{4} << 20;
+  uint64_t max_message_bytes = uint64_t{8} << 20;
   uint64_t max_body_bytes = uint64_t{1} << 30;
   // Connections at once; each may take 64 KiB beside its call.
   unsigned max_connections = 1000;

@@ -125,6 +125,11 @@ test("malformed HTTP is refused", async () => {
     [head("MeshService/GetMesh", { "content-length": "99999999999999" }), 413],
     [head("../etc/passwd", { "content-length": 0 }), 404],
     ["GET / HTTP/1.1\r\n\r\n", 400],
+    ["GET / HTTP/1.1\r\nhost: localhost\r\nHost: localhost\r\n\r\n", 400],
+    [head("MeshService/GetMesh", { "content-length": 5, "transfer-encoding": "chunked" }), 400],
+    [head("MeshService/GetMesh", { "content-length": 5, "Content-Length": 6 }), 400],
+    ["GET /%00 HTTP/1.1\r\nhost: localhost\r\n\r\n", 404],
+    ["GET /index.html%00.js HTTP/1.1\r\nhost: localhost\r\n\r\n", 404],
   ]) {
     const sent = send(request);
     await until(() => sent.received().includes("\r\n\r\n"));
