@@ -25,6 +25,16 @@ std::string Plural(const std::string& kind) {
   return absl::StrCat(kind, absl::EndsWith(kind, "h") ? "es" : "s");
 }
 
+// As DiskError, where a name is made in the folder: it is the folder that is
+// not found then.
+absl::Status FolderError(int error, std::string_view verb,
+                         const std::string& path) {
+  if (error != ENOENT) return DiskError(error, verb, path);
+  return absl::UnavailableError(absl::StrCat(
+      "the server cannot write ", path,
+      ": its data folder has been removed while it ran; start it again"));
+}
+
 class FileBody final : public BlobBody {
  public:
   FileBody(int file, uint64_t bytes) : BlobBody(bytes), file_(file) {}
@@ -315,7 +325,7 @@ absl::StatusOr<std::string> BlobStore::WriteTemporary(
   const FileDescriptor file(
       openat(folder_.get(), temporary.c_str(),
              O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600));
-  if (file.get() < 0) return DiskError(errno, "write", PathOf(info.name));
+  if (file.get() < 0) return FolderError(errno, "write", PathOf(info.name));
   absl::Status status = Write(file.get(), info, write);
   if (status.ok()) return temporary;
   unlinkat(folder_.get(), temporary.c_str(), 0);
@@ -330,7 +340,7 @@ absl::Status BlobStore::Publish(const std::string& temporary, BlobInfo info,
       0) {
     const int error = errno;
     unlinkat(folder_.get(), temporary.c_str(), 0);
-    return DiskError(error, "name", PathOf(info.name));
+    return FolderError(error, "name", PathOf(info.name));
   }
   absl::Status status = Sync(folder_.get(), PathOf(info.name));
   std::lock_guard lock(mutex_);
@@ -400,17 +410,9 @@ absl::Status BlobStore::Take(const std::string& name, TakeBlob take) {
   const absl::StatusOr<FileDescriptor> file =
       OpenToRead(folder_.get(), FileName(name), PathOf(name));
   if (!file.ok()) {
-    if (absl::IsNotFound(file.status())) {
-      // Erase, or somebody outside the server, has removed the file.
-      std::lock_guard names_lock(names_mutex_);
-      struct stat facts {};
-      if (fstatat(folder_.get(), FileName(name).c_str(), &facts, 0) != 0) {
-        std::lock_guard lock(mutex_);
-        if (const auto it = entries_.find(name); it != entries_.end()) {
-          Remove(it);
-        }
-      }
-    }
+    if (!absl::IsNotFound(file.status())) return file.status();
+    // Erase, or somebody outside the server, has removed the file.
+    if (absl::Status status = Look(name); !status.ok()) return status;
     return file.status();
   }
   struct stat facts {};
@@ -437,6 +439,24 @@ absl::Status BlobStore::Take(const std::string& name, TakeBlob take) {
         " was damaged and has been set aside: ", status.message()));
   }
   return status;
+}
+
+absl::Status BlobStore::Look(const std::string& name) {
+  std::lock_guard names_lock(names_mutex_);
+  struct stat facts {};
+  const bool is_there =
+      fstatat(folder_.get(), FileName(name).c_str(), &facts, 0) == 0;
+  if (!is_there && errno != ENOENT) {
+    return DiskError(errno, "examine", PathOf(name));
+  }
+  std::lock_guard lock(mutex_);
+  const auto it = entries_.find(name);
+  if (it != entries_.end() && is_there &&
+      it->second.file_bytes == static_cast<uint64_t>(facts.st_size)) {
+    return absl::OkStatus();
+  }
+  if (it != entries_.end() && !is_there) Remove(it);
+  return absl::NotFoundError(absl::StrCat("there is no ", PathOf(name)));
 }
 
 void BlobStore::SetAside(const std::string& name, ino_t inode,

@@ -85,7 +85,7 @@ class BlobSink {
   Sha256 hash_;
 };
 
-// Thread-safe. Put, Read and Erase wait for the disk; the others do not.
+// Thread-safe. Put, Read, Look and Erase wait for the disk; the others do not.
 class BlobStore final : public Blobs {
  public:
   struct Options {
@@ -146,6 +146,10 @@ class BlobStore final : public Blobs {
   // A file that is damaged goes into quarantine. If `take` fails with NOT_FOUND
   // or CANCELLED, that counts as no failure of the disk.
   absl::Status Read(const std::string& name, TakeBlob take) override;
+
+  // Whether the blob's file is there, with its size. One that somebody has
+  // removed is forgotten. Errors: NOT_FOUND; as DiskError.
+  absl::Status Look(const std::string& name);
 
   // Errors: NOT_FOUND; as Put.
   absl::Status Erase(const std::string& name);

@@ -1,13 +1,16 @@
 // Requests for meshes that are on disk and not in memory.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <thread>
 
+#include "tests/engine/uploads.h"
 #include "tests/rpc/rpc_fixture.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/temporary_folder.h"
@@ -68,6 +71,53 @@ class StoredMeshTest : public test::RpcTest {
   std::string second_;
   std::unique_ptr<test::OpenField> busy_;
 };
+
+TEST_F(StoredMeshTest, AMeshWhoseFileWasRemovedIsWrittenAgain) {
+  Start(OneThread());
+  const TriangleSoup tetrahedron = test::Tetrahedron();
+  const std::string digest = Upload(tetrahedron);
+  const std::filesystem::path file =
+      std::filesystem::path(temporary_ / "data") / "meshes" /
+      (digest + ".mesh");
+  ASSERT_TRUE(std::filesystem::remove(file));
+  EXPECT_EQ(Upload(tetrahedron), digest);
+  EXPECT_TRUE(std::filesystem::exists(file));
+  // And one that was cut.
+  std::filesystem::resize_file(file, 100);
+  EXPECT_EQ(Upload(tetrahedron), digest);
+  EXPECT_GT(std::filesystem::file_size(file), 100u);
+  // As a file, which the server knows without reading it.
+  const std::string off = test::kTetrahedronOff;
+  v1::UploadHeader header;
+  header.set_format(v1::MESH_FORMAT_OFF);
+  header.set_size_bytes(off.size());
+  v1::CreateMeshResponse response;
+  for (const bool is_known : {true, false, true}) {
+    if (!is_known) ASSERT_TRUE(std::filesystem::remove(file));
+    ASSERT_TRUE(Upload(header, off, response).ok());
+    EXPECT_EQ(response.mesh().digest(), digest);
+    EXPECT_GT(response.mesh().stored_bytes(), 0u);
+    EXPECT_TRUE(std::filesystem::exists(file));
+  }
+  server_.reset();
+  Start(OneThread());
+  EXPECT_TRUE(ComputeField(digest, 0).status.ok());
+}
+
+TEST_F(StoredMeshTest, UploadsSayThatTheDataFolderIsGone) {
+  Start(OneThread());
+  const std::string first = Upload(geodesic::test::Icosphere(1));
+  std::filesystem::remove_all(temporary_ / "data");
+  const TriangleSoup sphere = geodesic::test::Icosphere(2);
+  v1::CreateMeshResponse response;
+  const grpc::Status status = RpcTest::Upload(
+      test::ArraysHeader(sphere), test::ArrayBytes(sphere), response);
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::UNAVAILABLE);
+  EXPECT_THAT(status.error_message(),
+              ::testing::HasSubstr("its data folder has been removed"));
+  // What is in memory answers.
+  EXPECT_TRUE(ComputeField(first, 0).status.ok());
+}
 
 TEST_F(StoredMeshTest, AQuestionWaitsForItsMesh) {
   StartBusy();

@@ -125,6 +125,12 @@ class MeshCatalogue {
     return absl::OkStatus();
   }
 
+  // Whether the mesh is on the disk; if not, it is forgotten.
+  // Errors: NOT_FOUND; UNAVAILABLE, with a retry hint.
+  virtual absl::Status Look(const std::string& /*digest*/) {
+    return absl::OkStatus();
+  }
+
   // Reads the arrays of `mesh` from disk into memory.
   // Errors: NOT_FOUND (not there, or damaged and set aside), what `checkpoint`
   // says, RESOURCE_EXHAUSTED, UNAVAILABLE (it cannot be read now).

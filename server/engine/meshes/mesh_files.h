@@ -44,6 +44,7 @@ class MeshFiles final : public MeshCatalogue {
   absl::Status Admit(uint64_t vertices, uint64_t faces) override;
   absl::Status Put(const ResidentMesh& mesh,
                    const std::optional<FileKey>& file) override;
+  absl::Status Look(const std::string& digest) override;
   absl::StatusOr<TriangleSoup> Load(const MeshDescription& mesh,
                                     Checkpoint& checkpoint) override;
 

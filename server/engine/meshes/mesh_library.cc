@@ -253,13 +253,16 @@ absl::StatusOr<UploadJobs::Ticket> MeshLibrary::FinishUpload(
     std::unique_ptr<MeshUpload> upload, UploadCallback done,
     const std::string& client, std::function<void(const UploadResult&)> built) {
   if (absl::Status status = upload->Finish(); !status.ok()) return status;
-  if (std::optional<UploadResult> known = FindUploaded(*upload)) {
-    upload.reset();
-    built = nullptr;  // the client's next request may come before the return
-    done(*std::move(known));
-    return UploadJobs::Ticket();
-  }
   auto build = std::make_shared<MeshBuild>();
+  if (std::optional<UploadResult> known = FindUploaded(*upload)) {
+    if (!catalogue_->is_durable()) {
+      upload.reset();
+      built = nullptr;  // the client's next request may come before the return
+      done(*std::move(known));
+      return UploadJobs::Ticket();
+    }
+    build->known = known->mesh.digest;
+  }
   build->upload = std::move(upload);
   return uploads_.Join(
       next_upload_++, {.done = std::move(done)}, JobPriority::kBuild, [&] {
@@ -276,7 +279,8 @@ absl::StatusOr<UploadJobs::Ticket> MeshLibrary::FinishUpload(
                 },
             .waits_for_disk =
                 [this, build] {
-                  return catalogue_->is_durable() && build->built.has_value();
+                  return catalogue_->is_durable() &&
+                         (build->built.has_value() || !build->known.empty());
                 }};
       });
 }
@@ -295,7 +299,7 @@ std::optional<UploadResult> MeshLibrary::FindUploaded(
 }
 
 absl::Status MeshLibrary::Reserve(MeshBuild& build) {
-  if (build.built.has_value()) return absl::OkStatus();
+  if (build.built.has_value() || !build.known.empty()) return absl::OkStatus();
   return build.upload->is_parsed() ? ReserveForMesh(build)
                                    : build.upload->ReserveForParse();
 }
@@ -321,13 +325,15 @@ absl::StatusOr<std::optional<UploadResult>> MeshLibrary::Run(
     MeshBuild& build, Checkpoint& checkpoint) {
   MeshUpload& upload = *build.upload;
   if (build.built.has_value()) return Keep(build);
+  if (!build.known.empty()) return FindKnown(build);
   if (upload.is_parsed()) return Build(build, checkpoint);
   const absl::StatusOr<bool> is_parsed = upload.Parse(checkpoint);
   if (!is_parsed.ok()) return is_parsed.status();
   if (!*is_parsed) return std::nullopt;
-  if (std::optional<MeshDescription> present = Find(upload.digest())) {
-    AddFile(upload);
-    return UploadResult{*std::move(present), true};
+  if (catalogue_->Contains(upload.digest())) {
+    build.known = upload.digest();
+    if (catalogue_->is_durable()) return std::nullopt;
+    return FindKnown(build);
   }
   absl::Status fits = CheckCapacity(upload.soup().positions.size(),
                                     upload.soup().triangles.size());
@@ -335,6 +341,24 @@ absl::StatusOr<std::optional<UploadResult>> MeshLibrary::Run(
   // Usually the memory is available, and the job need not wait again.
   if (!ReserveForMesh(build).ok()) return std::nullopt;
   return Build(build, checkpoint);
+}
+
+absl::StatusOr<std::optional<UploadResult>> MeshLibrary::FindKnown(
+    MeshBuild& build) {
+  const std::string digest = std::exchange(build.known, {});
+  const absl::Status status = catalogue_->Look(digest);
+  if (!status.ok() && !absl::IsNotFound(status)) return status;
+  std::optional<MeshDescription> mesh = Find(digest);
+  MeshUpload& upload = *build.upload;
+  if (status.ok() && mesh.has_value()) {
+    if (upload.is_parsed()) AddFile(upload);
+    return UploadResult{*std::move(mesh), true};
+  }
+  if (!upload.is_parsed()) return std::nullopt;
+  absl::Status fits = CheckCapacity(upload.soup().positions.size(),
+                                    upload.soup().triangles.size());
+  if (!fits.ok()) return fits;
+  return std::nullopt;
 }
 
 absl::StatusOr<std::optional<UploadResult>> MeshLibrary::Build(

@@ -98,9 +98,10 @@ class MeshLibrary {
 
   // Parses, builds and keeps the mesh in a job, which waits for its memory as
   // Job::reserve says. The job calls `done` once, unless it is cancelled while
-  // it waits. If the file is known, `done` is called from here and the ticket
-  // is empty. The job calls `built` before `done`, even if nobody waits any
-  // more; what `built` captured is freed when the job has ended.
+  // it waits. If the file is known, the job looks for the mesh on the disk;
+  // without a data folder `done` is called from here and the ticket is empty.
+  // The job calls `built` before `done`, even if nobody waits any more; what
+  // `built` captured is freed when the job has ended.
   // Errors, here or in `done`: INVALID_ARGUMENT (bytes missing; a malformed
   // file; a refused mesh; another digest than expected); RESOURCE_EXHAUSTED;
   // UNAVAILABLE.
@@ -177,6 +178,8 @@ class MeshLibrary {
     std::unique_ptr<MeshUpload> upload;
     ByteReservation room;  // of the mesh store, once it is parsed
     std::optional<ResidentMesh> built;
+    // A mesh that the server has; the next step looks whether it is on disk.
+    std::string known;
   };
   // Before a load runs it has the mesh, if that has come meanwhile, or memory
   // for it.
@@ -214,6 +217,8 @@ class MeshLibrary {
   // run it again. No mesh is kept once `checkpoint` has failed.
   absl::StatusOr<std::optional<UploadResult>> Run(MeshBuild& build,
                                                   Checkpoint& checkpoint);
+  // Whether the mesh that the server has is on disk; empty if it is not.
+  absl::StatusOr<std::optional<UploadResult>> FindKnown(MeshBuild& build);
   absl::StatusOr<std::optional<UploadResult>> Build(MeshBuild& build,
                                                     Checkpoint& checkpoint);
   absl::StatusOr<UploadResult> Keep(MeshBuild& build);
