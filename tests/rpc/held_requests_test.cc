@@ -65,6 +65,26 @@ TEST_F(HeldRequestsTest, WhoTakesNothingIsCutOff) {
   for (const auto& call : stalled) EXPECT_FALSE(call->End().ok());
 }
 
+TEST_F(HeldRequestsTest, WhoWaitsHearsSo) {
+  ServerOptions options = SmallServer();
+  options.limits.max_concurrent_jobs = 1;
+  Start(options, /*held=*/true);
+  const std::string digest = Upload(geodesic::test::Icosphere(2));
+  const auto held = Open(digest, 0);
+  solver_.WaitForStarts(1);
+  const auto waits = Open(digest, 1);
+  ASSERT_TRUE(waits->Read());
+  EXPECT_TRUE(waits->message.has_header());
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_TRUE(waits->Read());
+    EXPECT_TRUE(waits->message.has_progress());
+    EXPECT_EQ(waits->message.progress().vertices_reached(), 0u);
+  }
+  solver_.LetGo();
+  EXPECT_TRUE(waits->End().ok());
+  EXPECT_TRUE(held->End().ok());
+}
+
 TEST_F(HeldRequestsTest, WhoTakesALittleNowAndThenGetsAll) {
   ServerOptions options = Watched();
   options.send_patience = std::chrono::seconds(3);

@@ -59,7 +59,8 @@ TEST_F(IntakeTest, AMalformedRequestIsSaidToBeOne) {
     ASSERT_TRUE(absl::IsInvalidArgument(answer.status()))
         << method->full_name() << ": " << answer.status();
     EXPECT_THAT(std::string(answer.status().message()),
-                HasSubstr(method->input_type()->full_name()));
+                AllOf(HasSubstr(method->input_type()->full_name()),
+                      HasSubstr("compressed by neither gzip nor deflate")));
   }
 }
 

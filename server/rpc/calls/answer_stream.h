@@ -10,6 +10,7 @@
 #ifndef GEODESIC_SERVER_RPC_CALLS_ANSWER_STREAM_H_
 #define GEODESIC_SERVER_RPC_CALLS_ANSWER_STREAM_H_
 
+#include <grpcpp/alarm.h>
 #include <grpcpp/server_context.h>
 
 #include <chrono>
@@ -35,6 +36,10 @@
 #include "server/rpc/siblings.h"
 
 namespace geodesic::server {
+
+// A stream that has begun its answer sends something at least as often, until
+// its first part is there.
+inline constexpr std::chrono::seconds kQuiet{5};
 
 // What a stream does next.
 enum class NextMessage {
@@ -89,6 +94,7 @@ class AnswerStream : public Call<ResponseType> {
   void OnWriteDone(bool ok) final {
     std::lock_guard lock(mutex_);
     writing_ = false;
+    is_quiet_ = false;
     this->OnTaken();
     if (!ok) {
       // The stream is broken; OnCancel tells the engine.
@@ -114,11 +120,15 @@ class AnswerStream : public Call<ResponseType> {
   }
 
   void OnDone() final {
+    std::optional<grpc::Alarm> watch;
     {
       std::lock_guard lock(mutex_);
       request_.reset();
       memory_ = {};
+      // Ended without the lock: that may wait for OnQuiet.
+      watch = std::exchange(quiet_watch_, std::nullopt);
     }
+    watch.reset();
     Base::OnDone();
   }
 
@@ -397,7 +407,37 @@ class AnswerStream : public Call<ResponseType> {
       this->Write(&message_);
     } else if (*next == NextMessage::kSendLast) {
       this->End(absl::OkStatus(), &message_);
+    } else if (!quiet_watch_.has_value()) {
+      WatchQuiet();
     }
+  }
+
+  // A client that hears nothing cannot tell waiting from a broken connection,
+  // and gRPC takes its pings for an attack if nothing is sent between them.
+  // REQUIRES: mutex_ held.
+  void WatchQuiet() {
+    if constexpr (requires { message_.mutable_progress(); }) {
+      is_quiet_ = true;
+      quiet_watch_.emplace();
+      quiet_watch_->Set(std::chrono::system_clock::now() + kQuiet,
+                        [self = this->Shared(this)](bool has_passed) {
+                          if (has_passed) self->OnQuiet();
+                        });
+    }
+  }
+
+  // Sends the last progress again, or that there is none, in an answer that has
+  // no more than its header.
+  void OnQuiet() {
+    std::lock_guard lock(mutex_);
+    if (finished_ || !quiet_watch_.has_value()) return;
+    if (is_quiet_ && !writing_ &&
+        (message_.has_header() || message_.has_progress())) {
+      message_.mutable_progress();
+      writing_ = true;
+      this->Write(&message_);
+    }
+    WatchQuiet();
   }
 
   // Guarded by mutex_:
@@ -409,6 +449,8 @@ class AnswerStream : public Call<ResponseType> {
   std::function<void()> leave_;  // ends a wait for the mesh or for a method
   bool cancelled_ = false;
   bool writing_ = false;  // a message is on its way
+  std::optional<grpc::Alarm> quiet_watch_;
+  bool is_quiet_ = false;  // nothing was sent since quiet_watch_ was set
   Response message_;
 
   // Set by Receive; Ask's while it runs:

@@ -251,7 +251,8 @@ absl::StatusOr<ByteReservation> Intake::Decode(
   grpc::ProtoBufferReader reader(&bytes);
   if (!request.ParseFromZeroCopyStream(&reader)) {
     return absl::InvalidArgumentError(absl::StrCat(
-        "the message is not a well-formed ", std::string(type.full_name())));
+        "the message is not a well-formed ", std::string(type.full_name()),
+        ", or compressed by neither gzip nor deflate"));
   }
   return memory;
 }
