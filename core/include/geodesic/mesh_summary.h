@@ -53,6 +53,9 @@ struct MeshSummary {
   // unit of the file.
   uint64_t close_edges = 0;
   double close_edge_distance = 0;
+  // Other boundary edges that lie along edges of faces beside them
+  // (touching_edges.h): nothing joins them.
+  uint64_t touching_edges = 0;
   Point bounding_box_min{};
   Point bounding_box_max{};
   // In the unit of the file; each edge counts once.

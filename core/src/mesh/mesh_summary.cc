@@ -13,6 +13,7 @@
 #include "mesh/close_edges.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/locality.h"
+#include "mesh/touching_edges.h"
 #include "surface/surface_location.h"
 #include "tolerances.h"
 
@@ -184,9 +185,6 @@ double RoundedUp(double x) {
   return std::ceil(x / unit) * unit;
 }
 
-// Where more edges lie together than this, some that are close may go untold.
-constexpr uint32_t kMostCompared = 64;
-
 bool AreNeighbours(const Mesh& mesh, uint32_t a, uint32_t b) {
   return VisitSides(mesh, a, b, [](HalfEdge) { return true; });
 }
@@ -194,6 +192,7 @@ bool AreNeighbours(const Mesh& mesh, uint32_t a, uint32_t b) {
 // Counts boundary edges that were perhaps meant to be joined.
 void CountCloseEdges(const Mesh& mesh, std::span<const HalfEdge> boundary,
                      MeshSummary& summary) {
+  std::vector<HalfEdge> sides;
   std::vector<VertexPair> edges;
   edges.reserve(boundary.size());
   double length = 0;
@@ -201,16 +200,18 @@ void CountCloseEdges(const Mesh& mesh, std::span<const HalfEdge> boundary,
     // No seam is made of sides without length.
     if (mesh.frame(h).length == 0) continue;
     const auto [low, high] = std::minmax({mesh.From(h), mesh.To(h)});
+    sides.push_back(h);
     edges.push_back({low, high});
     length += std::ldexp(mesh.frame(h).length, mesh.scale_exponent());
   }
   if (edges.empty()) return;
-  CloseEdges grid(
-      mesh.positions(), edges,
-      {.distance = kSuspicious * length / static_cast<double>(edges.size()),
-       .part = kSuspicious});
+  const Closeness closeness = {
+      .distance = kSuspicious * length / static_cast<double>(edges.size()),
+      .part = kSuspicious};
+  CloseEdges grid(mesh.positions(), edges, closeness);
   NoCheckpoint checkpoint;
   std::vector<ClosePair> pairs;
+  std::vector<HalfEdge> others;
   for (uint32_t i = 0; i < edges.size(); ++i) {
     pairs.clear();
     (void)grid.Find(i, checkpoint, pairs, kMostCompared);
@@ -222,12 +223,16 @@ void CountCloseEdges(const Mesh& mesh, std::span<const HalfEdge> boundary,
       return AreNeighbours(mesh, from.low, to.low) ||
              AreNeighbours(mesh, from.high, to.high);
     });
-    if (pairs.empty()) continue;
+    if (pairs.empty()) {
+      others.push_back(sides[i]);
+      continue;
+    }
     ++summary.close_edges;
     summary.close_edge_distance =
         std::max(summary.close_edge_distance,
                  std::ranges::min(pairs, {}, &ClosePair::distance).distance);
   }
+  summary.touching_edges = CountTouchingEdges(mesh, others, closeness);
 }
 
 // Fills in what SummarizeReading promises.
@@ -317,6 +322,13 @@ std::vector<std::string> Notes(const MeshSummary& summary) {
         RoundedUp(summary.close_edge_distance),
         " of others and are not joined; --weld ",
         RoundedUp(summary.close_edge_distance), " (weld) joins them"));
+  }
+  if (summary.touching_edges > 0) {
+    notes.push_back(absl::StrCat(
+        counted(summary.touching_edges, "boundary edge"),
+        summary.touching_edges == 1 ? " lies" : " lie",
+        " along other edges and cannot be joined: corners lie inside edges, "
+        "or a sheet begins inside another one"));
   }
   return notes;
 }
