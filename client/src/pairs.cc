@@ -1,9 +1,8 @@
 // Client::ComputePairs, by as many calls as the server's limits ask for.
 
 #include <algorithm>
-#include <limits>
 #include <utility>
-#include <variant>
+#include <vector>
 
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
@@ -22,22 +21,15 @@ constexpr uint64_t kVertexPairBytes = 2 * sizeof(uint32_t);
 constexpr uint64_t kPairBytes = 96;
 constexpr uint64_t kRequestBytes = 256;
 
-bool HasShortVertex(const SurfacePoint& point) {
-  const auto* vertex = std::get_if<VertexPoint>(&point);
-  return vertex != nullptr &&
-         vertex->vertex <= std::numeric_limits<uint32_t>::max();
-}
-
-// Whether the pairs can travel in the short form.
-bool AreVertices(std::span<const PointPair> pairs) {
-  return std::ranges::all_of(pairs, [](const PointPair& pair) {
-    return HasShortVertex(pair.source) && HasShortVertex(pair.target);
-  });
-}
-
-void AddVertex(const SurfacePoint& point, v1::ComputePairsRequest* request) {
-  request->add_vertex_pairs(
-      static_cast<uint32_t>(std::get<VertexPoint>(point).vertex));
+// Source 0, target 0, source 1 and so on, if all are vertices (translate.h).
+std::vector<uint32_t> PackedPairs(std::span<const PointPair> pairs) {
+  std::vector<SurfacePoint> points;
+  points.reserve(2 * pairs.size());
+  for (const PointPair& pair : pairs) {
+    points.push_back(pair.source);
+    points.push_back(pair.target);
+  }
+  return PackedVertices(points);
 }
 
 absl::StatusOr<v1::ComputePairsRequest> MakePairRequest(
@@ -46,16 +38,13 @@ absl::StatusOr<v1::ComputePairsRequest> MakePairRequest(
   if (!made.ok()) return made;
   v1::ComputePairsRequest& request = *made;
   request.set_paths(query.paths);
-  const bool are_vertices = AreVertices(pairs);
+  const std::vector<uint32_t> vertices = PackedPairs(pairs);
+  request.mutable_vertex_pairs()->Add(vertices.begin(), vertices.end());
+  if (!vertices.empty()) return made;
   for (const PointPair& pair : pairs) {
-    if (are_vertices) {
-      AddVertex(pair.source, &request);
-      AddVertex(pair.target, &request);
-    } else {
-      v1::PointPair& message = *request.add_pairs();
-      *message.mutable_source() = ToProto(pair.source);
-      *message.mutable_target() = ToProto(pair.target);
-    }
+    v1::PointPair& message = *request.add_pairs();
+    *message.mutable_source() = ToProto(pair.source);
+    *message.mutable_target() = ToProto(pair.target);
   }
   return made;
 }
@@ -63,7 +52,8 @@ absl::StatusOr<v1::ComputePairsRequest> MakePairRequest(
 // How many of the pairs one call takes.
 uint64_t PairsPerCall(std::span<const PointPair> pairs,
                       const ServerLimits& limits) {
-  const uint64_t bytes = AreVertices(pairs) ? kVertexPairBytes : kPairBytes;
+  const uint64_t bytes =
+      PackedPairs(pairs).empty() ? kPairBytes : kVertexPairBytes;
   const uint64_t room = limits.max_message_bytes -
                         std::min(limits.max_message_bytes, kRequestBytes);
   return std::max<uint64_t>(1, std::min(limits.max_pairs, room / bytes));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -46,6 +47,10 @@ std::vector<std::string> NamesOf(bool are_approximate) {
     names.push_back(AlgorithmName(algorithm));
   }
   return names;
+}
+
+bool IsShort(const VertexPoint& point) {
+  return point.vertex <= std::numeric_limits<uint32_t>::max();
 }
 
 // Puts a place into a v1::SurfacePoint or a v1::Source, whose fields have the
@@ -133,7 +138,8 @@ MeshInfo FromProto(const v1::Mesh& mesh) {
       .joined_vertex_count = mesh.joined_vertex_count(),
       .left_out_face_count = mesh.left_out_face_count(),
       .close_edge_count = mesh.close_edge_count(),
-      .close_edge_distance = mesh.close_edge_distance()};
+      .close_edge_distance = mesh.close_edge_distance(),
+      .touching_edge_count = mesh.touching_edge_count()};
 }
 
 FieldOrigin FromProto(v1::FieldOrigin origin) {
@@ -242,6 +248,28 @@ v1::Source ToProto(const Source& source) {
   std::visit(PlaceSetter(&message), source.place);
   message.set_offset(source.offset);
   return message;
+}
+
+std::vector<uint32_t> PackedVertices(std::span<const SurfacePoint> points) {
+  std::vector<uint32_t> vertices;
+  vertices.reserve(points.size());
+  for (const SurfacePoint& point : points) {
+    const auto* at = std::get_if<VertexPoint>(&point);
+    if (at == nullptr || !IsShort(*at)) return {};
+    vertices.push_back(static_cast<uint32_t>(at->vertex));
+  }
+  return vertices;
+}
+
+std::vector<uint32_t> PackedVertices(std::span<const Source> sources) {
+  std::vector<uint32_t> vertices;
+  vertices.reserve(sources.size());
+  for (const Source& source : sources) {
+    const auto* at = std::get_if<VertexPoint>(&source.place);
+    if (at == nullptr || !IsShort(*at) || source.offset != 0) return {};
+    vertices.push_back(static_cast<uint32_t>(at->vertex));
+  }
+  return vertices;
 }
 
 v1::Approximation ToProto(const Approximation& approximation) {

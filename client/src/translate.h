@@ -4,8 +4,11 @@
 #ifndef GEODESIC_CLIENT_TRANSLATE_H_
 #define GEODESIC_CLIENT_TRANSLATE_H_
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "absl/status/statusor.h"
 #include "geodesic/v1/capabilities_service.pb.h"
@@ -48,6 +51,35 @@ std::string AlgorithmName(v1::Algorithm algorithm);
 // Errors: INVALID_ARGUMENT naming `name` and the known names.
 absl::StatusOr<v1::Algorithm> AlgorithmFromName(std::string_view name);
 
+// The numbers of points, or of sources without an offset, if all of them are
+// vertices that 32 bits hold; empty otherwise.
+std::vector<uint32_t> PackedVertices(std::span<const SurfacePoint> points);
+std::vector<uint32_t> PackedVertices(std::span<const Source> sources);
+
+// The targets of a question; vertices in the short form.
+template <typename Request>
+void AddTargets(std::span<const SurfacePoint> targets, Request& request) {
+  const std::vector<uint32_t> vertices = PackedVertices(targets);
+  request.mutable_vertex_targets()->Add(vertices.begin(), vertices.end());
+  if (!vertices.empty()) return;
+  for (const SurfacePoint& target : targets) {
+    *request.add_targets() = ToProto(target);
+  }
+}
+
+// The same of sources, where the question has a short form.
+template <typename Request>
+void AddSources(std::span<const Source> sources, Request& request) {
+  if constexpr (requires { request.vertex_sources(); }) {
+    const std::vector<uint32_t> vertices = PackedVertices(sources);
+    request.mutable_vertex_sources()->Add(vertices.begin(), vertices.end());
+    if (!vertices.empty()) return;
+  }
+  for (const Source& source : sources) {
+    *request.add_sources() = ToProto(source);
+  }
+}
+
 // A request with those members of `query` that several questions have.
 // Errors: INVALID_ARGUMENT for an unknown algorithm.
 template <typename Request, typename Query>
@@ -67,14 +99,10 @@ absl::StatusOr<Request> MakeRequest(const Query& query) {
     if (query.tolerance != 0) request.set_tolerance(query.tolerance);
   }
   if constexpr (requires { query.sources; }) {
-    for (const Source& source : query.sources) {
-      *request.add_sources() = ToProto(source);
-    }
+    AddSources<Request>(query.sources, request);
   }
   if constexpr (requires { query.targets; }) {
-    for (const SurfacePoint& target : query.targets) {
-      *request.add_targets() = ToProto(target);
-    }
+    AddTargets<Request>(query.targets, request);
   }
   if constexpr (requires { query.value_type; }) {
     request.set_value_type(ToProto(query.value_type));

@@ -225,7 +225,8 @@ class Mesh:
         components, isolated_vertices, non_manifold_edges, degenerate_faces, its
         genus, bounding_box_min and _max, mean_edge_length, anisotropy; and what
         was joined or left out: notes, seam_edges, joined_vertices,
-        left_out_faces, close_edges (not joined) and close_edge_distance."""
+        left_out_faces, close_edges (not joined), close_edge_distance and
+        touching_edges (which nothing joins)."""
         return self._backend.facts()
 
     def without(self, vertices: Optional[ArrayLike] = None,

@@ -27,12 +27,13 @@ from .v1 import (capabilities_service_pb2, capabilities_service_pb2_grpc,
                  mesh_service_pb2_grpc, pair_service_pb2,
                  pair_service_pb2_grpc, path_service_pb2,
                  path_service_pb2_grpc, query_pb2)
-from .wire import Polyline, source_messages, surface_points
+from .wire import (Polyline, packed_sources, packed_vertices, row_fields,
+                   source_messages, surface_points, target_fields)
 
 # The most bytes of each on the wire, and of the rest of a request.
 _PLACE_BYTES = 48
 _SOURCE_BYTES = 64
-_VERTEX_PAIR_BYTES = 8
+_VERTEX_BYTES = 4
 _REQUEST_BYTES = 256
 
 
@@ -273,6 +274,7 @@ class RemoteBackend:
             "seam_edges": mesh.seam_edge_count,
             "joined_vertices": mesh.joined_vertex_count,
             "close_edges": mesh.close_edge_count,
+            "touching_edges": mesh.touching_edge_count,
             "close_edge_distance": mesh.close_edge_distance,
             "bounding_box_min": point(mesh.bounding_box_min),
             "bounding_box_max": point(mesh.bounding_box_max),
@@ -366,12 +368,12 @@ class RemoteBackend:
         return self._resident(ask)
 
     def _field_request(self, sources: Sources, radius: float,
-                       options: Options) -> Any:
+                       options: Options, **targets: Any) -> Any:
         request = field_service_pb2.ComputeFieldRequest(
             mesh_digest=self.digest(),
             sources=source_messages(sources),
             algorithm=_algorithm(options),
-            **_accuracy(options))
+            **targets, **_accuracy(options))
         if radius < math.inf:
             request.radius = radius
         return request
@@ -379,8 +381,8 @@ class RemoteBackend:
     def field(self, sources: Sources, targets: Places, radius: float,
               stop_after_targets: Optional[int], labels: bool, gradients: bool,
               certified_errors: bool, options: Options) -> FieldAnswer:
-        request = self._field_request(sources, radius, options)
-        request.targets.extend(surface_points(targets))
+        request = self._field_request(sources, radius, options,
+                                      **target_fields(targets))
         if stop_after_targets is not None:
             request.stop_after_targets = stop_after_targets
         if labels:
@@ -454,7 +456,7 @@ class RemoteBackend:
         request = path_service_pb2.ComputePathsRequest(
             mesh_digest=self.digest(),
             sources=source_messages(sources),
-            targets=surface_points(targets),
+            **target_fields(targets),
             algorithm=_algorithm(options))
         if radius < math.inf:
             request.radius = radius
@@ -496,11 +498,14 @@ class RemoteBackend:
             return len(sources)  # curves have more points than rows
         limits = self._stubs.capabilities().limits
         columns = self.vertex_count if targets is None else len(targets)
+        beside = 0
+        if targets is not None:
+            each = _VERTEX_BYTES if packed_vertices(targets) else _PLACE_BYTES
+            beside = len(targets) * each
         return _at_once(
             limits,
             min(limits.max_matrix_rows, limits.max_matrix_values // columns),
-            _SOURCE_BYTES,
-            0 if targets is None else len(targets) * _PLACE_BYTES)
+            _VERTEX_BYTES if packed_sources(sources) else _SOURCE_BYTES, beside)
 
     def _rows(self, method: Callable, make: Callable, sources: Sources,
               targets: Optional[Places], options: Options,
@@ -513,7 +518,7 @@ class RemoteBackend:
             block = sources if at_once == total else Sources(
                 sources.places[some], sources.counts[some],
                 sources.offsets[some])
-            request = make(source_messages(block))
+            request = make(row_fields(block))
             with _numbered_from(first):
                 for name, part in self._stubs.parts(method, request):
                     if name == "chunk":
@@ -522,15 +527,15 @@ class RemoteBackend:
                         options.progress(first + part.rows_finished, total)
 
     def _matrix_rows(self, sources, targets, radius, dtype, layout, options):
-        columns = list(surface_points(targets)) if targets is not None else []
+        columns = target_fields(targets)
         value_type = (query_pb2.VALUE_TYPE_FLOAT32 if dtype == np.float32 else
                       query_pb2.VALUE_TYPE_FLOAT64)
 
-        def make(messages):
+        def make(rows):
             request = matrix_service_pb2.ComputeMatrixRequest(
-                mesh_digest=self.digest(), sources=messages, targets=columns,
-                algorithm=_algorithm(options),
-                value_type=value_type, layout=layout, **_accuracy(options))
+                mesh_digest=self.digest(), algorithm=_algorithm(options),
+                value_type=value_type, layout=layout, **rows, **columns,
+                **_accuracy(options))
             if radius < math.inf:
                 request.radius = radius
             return request
@@ -573,12 +578,12 @@ class RemoteBackend:
     def nearest(self, sources: Sources, targets: Places, count: int,
                 radius: float, options: Options,
                 ) -> Tuple[np.ndarray, np.ndarray]:
-        points = list(surface_points(targets))
+        members = target_fields(targets)
 
-        def make(messages):
+        def make(rows):
             request = matrix_service_pb2.FindNearestRequest(
-                mesh_digest=self.digest(), sources=messages, targets=points,
-                count=count, algorithm=_algorithm(options),
+                mesh_digest=self.digest(), count=count,
+                algorithm=_algorithm(options), **rows, **members,
                 **_accuracy(options))
             if radius < math.inf:
                 request.radius = radius
@@ -599,13 +604,13 @@ class RemoteBackend:
 
     def pairs(self, sources: Places, targets: Places,
               options: Options) -> np.ndarray:
-        are_vertices = not (np.any(sources.kinds) or np.any(targets.kinds))
+        are_vertices = packed_vertices(sources) and packed_vertices(targets)
         at_once = 1
         if len(sources) > 1:
             limits = self._stubs.capabilities().limits
             at_once = _at_once(
                 limits, limits.max_pairs,
-                _VERTEX_PAIR_BYTES if are_vertices else 2 * _PLACE_BYTES)
+                2 * _VERTEX_BYTES if are_vertices else 2 * _PLACE_BYTES)
         distances = np.full(len(sources), np.inf)
 
         def read(first, request):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Iterable, List
+from typing import Any, Dict, Iterable, List, Optional
 
 import grpc
 import numpy as np
@@ -29,6 +29,39 @@ def surface_points(places: Places) -> Iterable[surface_pb2.SurfacePoint]:
         else:
             yield surface_pb2.SurfacePoint(
                 face=surface_pb2.FacePoint(face=numbers[0], weights=weights))
+
+
+def packed_vertices(places: Places) -> List[int]:
+    """The numbers of places, if all are vertices that 32 bits hold; else none."""
+    numbers = places.numbers[:, 0]
+    if np.any(places.kinds) or np.any((numbers < 0) | (numbers > 0xffffffff)):
+        return []
+    return numbers.tolist()
+
+
+def packed_sources(sources: Sources) -> List[int]:
+    """The same for sources, which then have no offset."""
+    if np.any(sources.counts >= 0) or np.any(sources.offsets):
+        return []
+    return packed_vertices(sources.places)
+
+
+def target_fields(targets: Optional[Places]) -> Dict[str, Any]:
+    """The fields of a request for its targets; vertices in the short form."""
+    if targets is None:
+        return {}
+    packed = packed_vertices(targets)
+    if packed:
+        return {"vertex_targets": packed}
+    return {"targets": list(surface_points(targets))}
+
+
+def row_fields(sources: Sources) -> Dict[str, Any]:
+    """The fields of a request for the rows of a matrix, in the same way."""
+    packed = packed_sources(sources)
+    if packed:
+        return {"vertex_sources": packed}
+    return {"sources": source_messages(sources)}
 
 
 def source_messages(sources: Sources) -> List[surface_pb2.Source]:

@@ -194,6 +194,7 @@ py::dict Facts(const MeshHandle& self) {
       "seam_edges"_a = summary.seam_edges,
       "joined_vertices"_a = summary.joined_vertices,
       "close_edges"_a = summary.close_edges,
+      "touching_edges"_a = summary.touching_edges,
       "close_edge_distance"_a = summary.close_edge_distance,
       "bounding_box_min"_a = summary.bounding_box_min,
       "bounding_box_max"_a = summary.bounding_box_max,

@@ -62,7 +62,7 @@ struct ServerOptions {
   // Requests at once; further streams are refused.
   uint64_t max_requests = 1000;
   // Largest gRPC message taken.
-  uint64_t max_message_bytes = uint64_t{4} << 20;
+  uint64_t max_message_bytes = uint64_t{8} << 20;
   // Calls at once on one connection.
   uint64_t max_connection_streams = 256;
   // How long a message may take to come in.
@@ -70,7 +70,7 @@ struct ServerOptions {
   // How long a client may take nothing of its answer.
   std::chrono::seconds send_patience{120};
   // Memory of messages that are still coming in.
-  uint64_t receive_memory_bytes = uint64_t{256} << 20;
+  uint64_t receive_memory_bytes = uint64_t{512} << 20;
   // Memory of decoded requests and of the questions made from them.
   uint64_t request_memory_bytes = uint64_t{1} << 30;
   // How long requests may go on after SIGTERM.

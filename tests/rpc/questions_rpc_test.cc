@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "absl/strings/str_cat.h"
 #include "tests/rpc/questions_fixture.h"
 #include "tests/support/curved_meshes.h"
 
@@ -123,6 +124,66 @@ TEST_F(QuestionsRpcTest, WrongArgumentsAreNamed) {
                 {"sources { vertex: 1000 }", "sources[2].vertex"}});
   ExpectFaults(From<v1::FindNearestRequest>(0),
                {{"count: 1", "targets"}, {"targets { vertex: 1 }", "count"}});
+}
+
+// The bytes of all parts, without what tells how and when they were computed.
+template <typename Messages>
+std::string Answer(const Messages& messages) {
+  std::string answer;
+  for (auto message : messages) {
+    if (message.has_header() || message.has_progress() ||
+        message.has_trailer()) {
+      continue;
+    }
+    if constexpr (requires { message.mutable_chunk()->clear_field_id(); }) {
+      if (message.has_chunk()) message.mutable_chunk()->clear_field_id();
+    }
+    answer += message.SerializeAsString();
+  }
+  return answer;
+}
+
+TEST_F(QuestionsRpcTest, VerticesMayComeInTheShortForm) {
+  const auto expect_equal = [&](auto request) {
+    SCOPED_TRACE(request.GetTypeName());
+    request.clear_targets();
+    auto packed = request;
+    for (const uint64_t vertex : {Vertex(3, 7), Vertex(0, 0), Vertex(9, 2)}) {
+      request.add_targets()->set_vertex(vertex);
+      packed.add_vertex_targets(static_cast<uint32_t>(vertex));
+    }
+    if constexpr (requires { packed.vertex_sources(); }) {
+      packed.clear_sources();
+      for (const auto& source : request.sources()) {
+        packed.add_vertex_sources(static_cast<uint32_t>(source.vertex()));
+      }
+    }
+    const std::string answer = Answer(Messages(packed));
+    EXPECT_GT(answer.size(), sizeof(double));
+    EXPECT_TRUE(answer == Answer(Messages(request)));
+    ExpectFaults(packed, {{"targets { vertex: 1 }", "vertex_targets"},
+                          {"vertex_targets: 1000", "targets[3].vertex"}});
+    if constexpr (requires { packed.vertex_sources(); }) {
+      const std::string next =
+          absl::StrCat("sources[", packed.vertex_sources_size(), "].vertex");
+      ExpectFaults(packed, {{"sources { vertex: 1 }", "vertex_sources"},
+                            {"vertex_sources: 1000", next.c_str()}});
+    }
+  };
+  expect_equal(FieldRequest(digest_, Vertex(4, 4)));
+  expect_equal(Paths());
+  expect_equal(Matrix());
+  expect_equal(Nearest());
+}
+
+TEST_F(QuestionsRpcTest, ShortFormsCount) {
+  v1::ComputeFieldRequest field = FieldRequest(digest_, 0);
+  for (int i = 0; i < 101; ++i) field.add_vertex_targets(0);
+  ExpectExhausted(field);
+  v1::ComputeMatrixRequest matrix = Matrix();
+  matrix.clear_sources();
+  for (int i = 0; i < 201; ++i) matrix.add_vertex_sources(0);
+  ExpectExhausted(matrix);
 }
 
 TEST_F(QuestionsRpcTest, NoneIsAboutNothing) {

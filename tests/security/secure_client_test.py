@@ -220,7 +220,7 @@ class SecureClientTest(unittest.TestCase):
 
     def test_oversized_messages_are_refused(self):
         with self.assertRaises(grpc.RpcError) as caught:
-            self.compute(self.connect(), "0" * 5_000_000, 0)
+            self.compute(self.connect(), "0" * 9_000_000, 0)
         self.assertEqual(caught.exception.code(),
                          grpc.StatusCode.RESOURCE_EXHAUSTED)
         # gRPC said so; the server knows only what it may have been.

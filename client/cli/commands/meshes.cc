@@ -123,6 +123,7 @@ Json ToJson(const MeshInfo& mesh) {
           {"seam_edges", mesh.seam_edge_count},
           {"joined_vertices", mesh.joined_vertex_count},
           {"close_edges", mesh.close_edge_count},
+          {"touching_edges", mesh.touching_edge_count},
           {"close_edge_distance", mesh.close_edge_distance},
           {"notes", mesh.notes},
           {"bounding_box_min", mesh.bounding_box_min},

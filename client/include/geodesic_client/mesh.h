@@ -116,6 +116,9 @@ struct MeshInfo {
   // distance that joins them.
   uint64_t close_edge_count = 0;
   double close_edge_distance = 0;
+  // Boundary edges that lie along other edges, but not end to end with another
+  // boundary edge: nothing joins them.
+  uint64_t touching_edge_count = 0;
 };
 
 // What became of an upload.

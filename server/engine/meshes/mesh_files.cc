@@ -39,6 +39,7 @@ void VisitNumbers(Summary& summary, Visit visit) {
   visit(summary.first_crossing_polygon);
   visit(summary.close_edges);
   visit(summary.close_edge_distance);
+  visit(summary.touching_edges);
   for (auto& x : summary.bounding_box_min) visit(x);
   for (auto& x : summary.bounding_box_max) visit(x);
   visit(summary.mean_edge_length);
@@ -168,6 +169,13 @@ absl::Status MeshFiles::Put(const ResidentMesh& mesh,
                    absl::StrCat("the mesh cannot be kept: ", status.message(),
                                 "; delete meshes or free the server's disk")),
       kRetryDelay);
+}
+
+absl::Status MeshFiles::Look(const std::string& digest) {
+  const absl::Status status = blobs_->Look(digest);
+  return status.ok() || absl::IsNotFound(status)
+             ? status
+             : WithRetryAfter(status, kRetryDelay);
 }
 
 absl::StatusOr<TriangleSoup> MeshFiles::Load(const MeshDescription& mesh,

@@ -117,6 +117,16 @@ absl::Status AddAll(
   return absl::OkStatus();
 }
 
+// `things` may come as messages, or as numbers of vertices, e.g. "pairs" and
+// "vertex_pairs".
+absl::Status CheckOneForm(const std::string& things, int messages,
+                          int vertices) {
+  if (messages == 0 || vertices == 0) return absl::OkStatus();
+  const std::string packed = absl::StrCat("vertex_", things);
+  return InvalidField(packed, absl::StrCat("the request has ", things, " and ",
+                                           packed, ": use one"));
+}
+
 absl::StatusOr<FieldExtras> ExtrasFrom(const v1::ComputeFieldRequest& request) {
   FieldExtras extras{.settled_order = request.progressive()};
   for (int i = 0; i < request.quantities_size(); ++i) {
@@ -179,10 +189,19 @@ absl::StatusOr<SurfacePoint> FromProto(const v1::SurfacePoint& point,
 
 absl::Status AddTargets(
     const google::protobuf::RepeatedPtrField<v1::SurfacePoint>& targets,
-    const Limits& limits, Query& query) {
+    const PackedVertices& vertex_targets, const Limits& limits, Query& query) {
   absl::Status status =
-      CheckCount("targets", targets.size(), "max_targets", limits.max_targets);
+      CheckOneForm("targets", targets.size(), vertex_targets.size());
+  status.Update(CheckCount("targets", targets.size() + vertex_targets.size(),
+                           "max_targets", limits.max_targets));
   if (!status.ok()) return status;
+  if (!vertex_targets.empty()) {
+    query.targets.reserve(vertex_targets.size());
+    for (const uint32_t v : vertex_targets) {
+      query.targets.push_back(VertexPoint{v});
+    }
+    return absl::OkStatus();
+  }
   absl::StatusOr<std::vector<SurfacePoint>> points =
       PointsFrom(targets, "targets");
   if (points.ok()) query.targets = *std::move(points);
@@ -198,26 +217,33 @@ absl::Status AddSources(
 
 absl::Status AddRows(
     const google::protobuf::RepeatedPtrField<v1::Source>& sources,
-    const Limits& limits, Query& query) {
+    const PackedVertices& vertex_sources, const Limits& limits, Query& query) {
+  absl::Status status =
+      CheckOneForm("sources", sources.size(), vertex_sources.size());
+  status.Update(CheckCount("rows", vertex_sources.size(), "max_matrix_rows",
+                           limits.max_matrix_rows));
+  if (!status.ok()) return status;
+  query.sources.reserve(vertex_sources.size());
+  for (const uint32_t v : vertex_sources) {
+    query.sources.push_back({VertexPoint{v}, 0});
+  }
   return AddAll(sources, "rows", "max_matrix_rows", limits.max_matrix_rows,
                 limits.max_curve_points, query);
 }
 
 absl::Status AddPairs(const v1::ComputePairsRequest& request,
                       const Limits& limits, std::vector<PointPair>& pairs) {
-  const auto& vertices = request.vertex_pairs();
-  if (request.pairs_size() > 0 && !vertices.empty()) {
-    return InvalidField("vertex_pairs",
-                        "the request has pairs and vertex_pairs: use one");
-  }
+  const PackedVertices& vertices = request.vertex_pairs();
+  absl::Status status =
+      CheckOneForm("pairs", request.pairs_size(), vertices.size());
+  if (!status.ok()) return status;
   if (vertices.size() % 2 != 0) {
     return InvalidField("vertex_pairs",
                         absl::StrCat("vertex_pairs has ", vertices.size(),
                                      " vertices; a pair has two"));
   }
   const size_t count = request.pairs_size() + vertices.size() / 2;
-  absl::Status status =
-      CheckCount("pairs", count, "max_pairs", limits.max_pairs);
+  status = CheckCount("pairs", count, "max_pairs", limits.max_pairs);
   if (!status.ok()) return status;
   pairs.reserve(count);
   for (int i = 0; i < vertices.size(); i += 2) {
@@ -457,7 +483,8 @@ absl::Status Translate(const v1::ComputeFieldRequest& request,
                        const Limits& limits, FieldRequest& result) {
   absl::Status status = AddSources(request.sources(), limits, result.query);
   if (!status.ok()) return status;
-  status = AddTargets(request.targets(), limits, result.query);
+  status = AddTargets(request.targets(), request.vertex_targets(), limits,
+                      result.query);
   if (!status.ok()) return status;
   if (request.has_radius()) result.reach.radius = request.radius();
   if (request.has_stop_after_targets()) {
@@ -507,6 +534,7 @@ v1::Mesh ToProto(const MeshDescription& mesh) {
   proto.set_joined_vertex_count(summary.joined_vertices);
   proto.set_left_out_face_count(summary.left_out_faces);
   proto.set_close_edge_count(summary.close_edges);
+  proto.set_touching_edge_count(summary.touching_edges);
   proto.set_close_edge_distance(summary.close_edge_distance);
   for (const MethodDescription& method : mesh.methods) {
     v1::PreparedMethod& prepared = *proto.add_prepared_methods();

@@ -3,6 +3,7 @@
 #ifndef GEODESIC_SERVER_RPC_MESSAGES_TRANSLATION_H_
 #define GEODESIC_SERVER_RPC_MESSAGES_TRANSLATION_H_
 
+#include <google/protobuf/repeated_field.h>
 #include <google/protobuf/repeated_ptr_field.h>
 
 #include <bit>
@@ -76,11 +77,14 @@ inline void SetValues(std::span<const double> values, v1::ValueType type,
 absl::StatusOr<SurfacePoint> FromProto(const v1::SurfacePoint& point,
                                        const std::string& field);
 
-// Puts the targets of a request into a query.
+// Numbers of vertices, instead of places.
+using PackedVertices = google::protobuf::RepeatedField<uint32_t>;
+
+// Puts the targets of a request, in either form, into a query.
 // Errors: also RESOURCE_EXHAUSTED when they are more than the limit.
 absl::Status AddTargets(
     const google::protobuf::RepeatedPtrField<v1::SurfacePoint>& targets,
-    const Limits& limits, Query& query);
+    const PackedVertices& vertex_targets, const Limits& limits, Query& query);
 
 // Puts the sources of a request into a query.
 // Errors: also RESOURCE_EXHAUSTED when they are more than the limit, or their
@@ -89,10 +93,10 @@ absl::Status AddSources(
     const google::protobuf::RepeatedPtrField<v1::Source>& sources,
     const Limits& limits, Query& query);
 
-// The same for sources that are rows of a matrix.
+// The same for sources, in either form, that are rows of a matrix.
 absl::Status AddRows(
     const google::protobuf::RepeatedPtrField<v1::Source>& sources,
-    const Limits& limits, Query& query);
+    const PackedVertices& vertex_sources, const Limits& limits, Query& query);
 
 // The pairs of a request, in either form.
 // Errors: also RESOURCE_EXHAUSTED when they are more than the limit.

@@ -49,7 +49,8 @@ absl::Status PathStream::Translate(FieldRequest& question) {
   absl::Status status =
       AddSources(request().sources(), engine().limits(), question.query);
   if (!status.ok()) return status;
-  status = AddTargets(request().targets(), engine().limits(), question.query);
+  status = AddTargets(request().targets(), request().vertex_targets(),
+                      engine().limits(), question.query);
   if (!status.ok()) return status;
   if (question.query.targets.empty()) {
     return InvalidField("targets", "targets is empty: name at least one");

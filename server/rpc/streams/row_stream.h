@@ -62,9 +62,11 @@ class RowStream final : public AnswerStream<Request, Response> {
     } else {
       question.filter.nearest = request.count();
     }
-    status = AddRows(request.sources(), limits, question.query);
+    status = AddRows(request.sources(), request.vertex_sources(), limits,
+                     question.query);
     if (status.ok()) {
-      status = AddTargets(request.targets(), limits, question.query);
+      status = AddTargets(request.targets(), request.vertex_targets(), limits,
+                          question.query);
     }
     if (!status.ok()) return status;
     if (request.has_radius()) question.filter.radius = request.radius();
