@@ -228,6 +228,39 @@ class ClusterTest(unittest.TestCase):
             if before[digest] != dead:
                 self.assertEqual(after[digest], before[digest])
 
+    def test_late_calls_harm_nobody(self):
+        client = self.client()
+        digest = client.upload(*bumpy_grid(7, side=120))
+        expected, _ = client.field(digest, 0)
+        client.channel.close()
+        end = time.monotonic() + 5
+        late = collections.Counter()
+
+        def be_late(seed):
+            impatient = Client(self.stubs, self.address, repeats=False)
+            vertices = random.Random(seed)
+            while time.monotonic() < end:
+                try:
+                    impatient.field(digest, vertices.randrange(1, 14641),
+                                    timeout=vertices.uniform(0.005, 0.08))
+                except grpc.RpcError as error:
+                    late[error.code()] += 1
+            impatient.channel.close()
+
+        def ask():
+            patient = Client(self.stubs, self.address, repeats=False)
+            while time.monotonic() < end:
+                self.assertTrue(patient.field(digest, 0)[0] == expected)
+            patient.channel.close()
+
+        with concurrent.futures.ThreadPoolExecutor(5) as threads:
+            calls = [threads.submit(be_late, seed) for seed in range(3)]
+            calls += [threads.submit(ask) for _ in range(2)]
+            for call in calls:
+                call.result()
+        print("  late calls ended with", dict(late), flush=True)
+        self.assertGreater(late[grpc.StatusCode.DEADLINE_EXCEEDED], 0)
+
     def test_replica_fetches_what_it_lacks_once(self):
         direct = [self.client_of(replica) for replica in self.replicas]
         before = [self.fetched(replica) for replica in self.replicas]

@@ -97,7 +97,7 @@ class Client:
         return [mesh.digest
                 for mesh in self._meshes.ListMeshes(request, timeout=5).meshes]
 
-    def field(self, digest, vertex):
+    def field(self, digest, vertex, timeout=30):
         """The distances' bytes, and the replica that answered."""
         request = self._stubs.field_service_pb2.ComputeFieldRequest(
             mesh_digest=digest,
@@ -105,7 +105,7 @@ class Client:
 
         def call():
             stream = self._fields.ComputeField(
-                request, timeout=30,
+                request, timeout=timeout,
                 metadata=(("geo-mesh-digest", digest),))
             replica = dict(stream.initial_metadata()).get("geo-replica", "")
             return (b"".join(message.chunk.distances for message in stream
