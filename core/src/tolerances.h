@@ -196,6 +196,14 @@ inline constexpr double kPassedNarrowly = 4 * kNearMiss;
 // crossings around them.
 inline constexpr double kAtLevel = 1e-12;
 
+// Fronts of a level that meet on an edge, and lie over each other there by no
+// more than this part of the level and the edge, touch in a point, and rounding
+// decides whether they are one. Isolines are then drawn beside the level, by
+// these parts of it: more than rounding, and less than distances that are exact
+// within 1e-10 tell.
+inline constexpr double kMeetingPoint = 4e-12;
+inline constexpr double kBesideLevel[] = {-8e-12, 8e-12, -4e-11, 4e-11};
+
 // A straight piece of a path is as long as the distances of its ends say within
 // this fraction of them. Pieces that are followed rightly agree to 1e-13.
 inline constexpr double kAsLong = 1e-11;
@@ -277,6 +285,10 @@ inline constexpr double kComputedTwice = 1;
 // rounding.
 inline constexpr double kWrittenTwice = 1.01;
 
+// Vertices farther from the middle of a mesh than this many times the extent of
+// its middle half do not count for the rounding of the others.
+inline constexpr double kFarOff = 100;
+
 // Programs that round to decimal numbers leave a unit of the last digit that is
 // a smaller part of the mesh than this. A unit that is larger is a distance
 // that somebody has chosen.
@@ -291,6 +303,11 @@ inline constexpr double kMostWelded = 1.0 / 2;
 // Boundary edges that lie as close to each other as this part of their length,
 // and of the mean length of all, are told: they were perhaps meant to be one.
 inline constexpr double kSuspicious = 1.0 / 50;
+
+// A boundary edge lies along another edge if it is no farther from it than this
+// part of the shorter one: more than rounding to single precision leaves, less
+// than the sides of most slivers are apart.
+inline constexpr double kTouching = 1e-4;
 
 // Of polygons before they are triangles, in a unit in which their largest
 // coordinate is 1 to 2: a corner no farther than this from a line lies on it,

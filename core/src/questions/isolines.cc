@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -110,29 +111,118 @@ absl::Status CheckOptions(const IsolineOptions& options) {
   return absl::OkStatus();
 }
 
+// Levels in the unit of the file, and where their lines are drawn, in the
+// scaled one. Both rise.
+struct Levels {
+  std::vector<double> named;
+  std::vector<double> drawn;
+};
+
+using Doubt = LevelCrossings::Doubt;
+
+struct Drawing {
+  std::vector<Isoline> isolines;  // level by level
+  std::vector<Doubt> doubts;      // of each level
+};
+
+absl::StatusOr<Drawing> Draw(const Mesh& mesh, const ValidQuery& query,
+                             const Levels& levels,
+                             const LevelCrossings::Accuracy& accuracy,
+                             const SolveOptions& options,
+                             Checkpoint& checkpoint) {
+  IsolineBand band(mesh, levels.drawn);
+  LevelCrossings crossings(mesh, AnchorsOf(query), levels.drawn, accuracy,
+                           band);
+  SettlingCheckpoint settling(checkpoint, band, crossings);
+  absl::StatusOr<std::unique_ptr<Computation>> computation =
+      StartComputation(mesh, query, options, &band);
+  if (!computation.ok()) return computation.status();
+  // A little further, to know what is at the last level.
+  const double radius =
+      std::max(levels.named.back(),
+               std::ldexp(levels.drawn.back(), mesh.scale_exponent())) *
+      (1 + 2 * kAtLevel);
+  const bool is_exact = query->tolerance == 0;
+  if (!is_exact) settling.KeepUpTo(std::ldexp(radius, -mesh.scale_exponent()));
+  if (absl::Status status = (*computation)->Advance({radius}, settling);
+      !status.ok()) {
+    return status;
+  }
+  std::vector<double> distances;
+  if (is_exact) {
+    distances = (*computation)->Field().distances;
+    for (double& distance : distances) {
+      distance = std::ldexp(distance, -mesh.scale_exponent());
+    }
+  } else {
+    // The field has answers above the lower bounds, which are on the other side
+    // of some levels than the windows are.
+    distances = settling.kept();
+  }
+  const auto poll = [&] { return settling.PollAgain(); };
+  if (absl::Status status = crossings.Finish(distances, poll); !status.ok()) {
+    return status;
+  }
+  absl::StatusOr<std::vector<Isoline>> isolines =
+      crossings.Isolines(levels.named, poll);
+  if (!isolines.ok()) return isolines.status();
+  return Drawing{*std::move(isolines), crossings.doubts()};
+}
+
+// The levels in doubt, drawn by this part beside.
+Levels Beside(const Levels& levels, const std::vector<Doubt>& doubts,
+              double part) {
+  Levels beside;
+  for (size_t i = 0; i < levels.named.size(); ++i) {
+    if (doubts[i] == Doubt::kNone) continue;
+    beside.named.push_back(levels.named[i]);
+    beside.drawn.push_back(levels.drawn[i] * (1 + part));
+  }
+  return beside;
+}
+
+// Takes the isolines of those levels from `again` that are in less doubt there.
+void Replace(const Levels& levels, const Levels& drawn_again, Drawing again,
+             Drawing& drawing) {
+  std::vector<double> better;
+  for (size_t i = 0; i < drawn_again.named.size(); ++i) {
+    const double level = drawn_again.named[i];
+    Doubt& doubt =
+        drawing.doubts[std::ranges::lower_bound(levels.named, level) -
+                       levels.named.begin()];
+    if (again.doubts[i] >= doubt) continue;
+    doubt = again.doubts[i];
+    better.push_back(level);
+  }
+  const auto is_better = [&](const Isoline& line) {
+    return std::ranges::binary_search(better, line.level);
+  };
+  std::erase_if(drawing.isolines, is_better);
+  std::ranges::copy_if(again.isolines, std::back_inserter(drawing.isolines),
+                       is_better);
+  std::ranges::stable_sort(drawing.isolines, {}, &Isoline::level);
+}
+
 }  // namespace
 
 absl::StatusOr<std::vector<Isoline>> ComputeIsolines(
     const Mesh& mesh, const ValidQuery& query, const IsolineOptions& isolines,
     const SolveOptions& options, Checkpoint& checkpoint) {
   if (absl::Status status = CheckOptions(isolines); !status.ok()) return status;
-  std::vector<double> levels = isolines.levels;
-  std::ranges::sort(levels);
-  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+  Levels levels{.named = isolines.levels};
+  std::ranges::sort(levels.named);
+  const auto twice = std::ranges::unique(levels.named);
+  levels.named.erase(twice.begin(), twice.end());
   const ValidQuery distances_alone = query.Sorted().query.DistancesAlone();
   const double tolerance = distances_alone->tolerance;
   // Within a tolerance, windows and the distances that propagate are lower
   // bounds, and the truth is at most so much above them. The lines are drawn
   // where fields would answer the level.
   const double share = tolerance > 0 ? WithinTolerance(tolerance).share() : 0;
-  std::vector<double> scaled_levels;
-  scaled_levels.reserve(levels.size());
-  for (double level : levels) {
-    scaled_levels.push_back(std::ldexp(level, -mesh.scale_exponent()) *
-                            (1 - kAnswerInAccount * share));
+  for (const double level : levels.named) {
+    levels.drawn.push_back(std::ldexp(level, -mesh.scale_exponent()) *
+                           (1 - kAnswerInAccount * share));
   }
-
-  IsolineBand band(mesh, scaled_levels);
   const bool is_relative = isolines.chord_error == 0;
   const LevelCrossings::Accuracy accuracy{
       .chord_error = is_relative ? kChordErrorOfLevel
@@ -140,37 +230,21 @@ absl::StatusOr<std::vector<Isoline>> ComputeIsolines(
                                               -mesh.scale_exponent()),
       .is_relative = is_relative,
       .share = share};
-  LevelCrossings crossings(mesh, AnchorsOf(distances_alone), scaled_levels,
-                           accuracy, band);
-  SettlingCheckpoint settling(checkpoint, band, crossings);
-  absl::StatusOr<std::unique_ptr<Computation>> computation =
-      StartComputation(mesh, distances_alone, options, &band);
-  if (!computation.ok()) return computation.status();
-  // A little further, to know what is at the last level.
-  const double radius = levels.back() * (1 + 2 * kAtLevel);
-  if (tolerance > 0) {
-    settling.KeepUpTo(std::ldexp(radius, -mesh.scale_exponent()));
+  const auto draw = [&](const Levels& of) {
+    return Draw(mesh, distances_alone, of, accuracy, options, checkpoint);
+  };
+  absl::StatusOr<Drawing> drawing = draw(levels);
+  if (!drawing.ok()) return drawing.status();
+  // Windows within a tolerance leave doubts wherever they are drawn.
+  for (const double part : kBesideLevel) {
+    if (tolerance > 0) break;
+    const Levels beside = Beside(levels, drawing->doubts, part);
+    if (beside.named.empty()) break;
+    absl::StatusOr<Drawing> again = draw(beside);
+    if (!again.ok()) return again.status();
+    Replace(levels, beside, *std::move(again), *drawing);
   }
-  if (absl::Status status = (*computation)->Advance({radius}, settling);
-      !status.ok()) {
-    return status;
-  }
-  std::vector<double> distances;
-  if (tolerance > 0) {
-    // The field has answers above the lower bounds, which are on the other side
-    // of some levels than the windows are.
-    distances = settling.kept();
-  } else {
-    distances = (*computation)->Field().distances;
-    for (double& distance : distances) {
-      distance = std::ldexp(distance, -mesh.scale_exponent());
-    }
-  }
-  const auto poll = [&] { return settling.PollAgain(); };
-  if (absl::Status status = crossings.Finish(distances, poll); !status.ok()) {
-    return status;
-  }
-  return crossings.Isolines(levels, poll);
+  return std::move(drawing->isolines);
 }
 
 }  // namespace geodesic

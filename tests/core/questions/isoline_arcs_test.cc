@@ -239,6 +239,75 @@ TEST(IsolineArcs, MeetInsideAFace) {
 
 // A triangle of sides 3, 4 and 5, halved: its inscribed circle has the
 // radius 1/2.
+// Of all lines together.
+double LengthOf(const std::vector<Isoline>& lines) {
+  double length = 0;
+  for (const Isoline& line : lines) {
+    const std::vector<Point>& at = line.positions;
+    for (size_t i = 1; i < at.size(); ++i) {
+      length += Distance(at[i - 1], at[i]);
+    }
+    if (line.is_closed) length += Distance(at.back(), at.front());
+  }
+  return length;
+}
+
+TEST(IsolineArcs, TouchInAPoint) {
+  // Two quarters of circles that touch in the middle of a side.
+  const auto mesh = Mesh::Build(Square());
+  ASSERT_TRUE(mesh.ok());
+  for (const double level : {0.5, 0.5 + 1e-14, 0.5 - 1e-14, 0.5 - 1e-13}) {
+    EXPECT_NEAR(LengthOf(IsolinesOrFail(
+                    **mesh, {.sources = {{VertexPoint{0}}, {VertexPoint{1}}}},
+                    {level}, 1e-6)),
+                kPi / 2, 1e-4)
+        << level;
+  }
+  // Around a square tube of side 1 and height 3 a circle of radius 2 touches
+  // itself behind its center, which is in the middle of a slanted edge: in the
+  // plane, what lies within 2 to either side.
+  const auto tube = Mesh::Build({{{0, 0, 0},
+                                  {1, 0, 0},
+                                  {1, 1, 0},
+                                  {0, 1, 0},
+                                  {0, 0, 3},
+                                  {1, 0, 3},
+                                  {1, 1, 3},
+                                  {0, 1, 3}},
+                                 {{0, 1, 5},
+                                  {0, 5, 4},
+                                  {1, 2, 6},
+                                  {1, 6, 5},
+                                  {2, 3, 7},
+                                  {2, 7, 6},
+                                  {3, 0, 4},
+                                  {3, 4, 7}}});
+  ASSERT_TRUE(tube.ok());
+  EXPECT_NEAR(LengthOf(IsolinesOrFail(
+                  **tube, {.sources = {{EdgePoint{0, 5, 0.5}}}}, {2}, 1e-6)),
+              8 * std::asin(0.75), 1e-4);
+}
+
+TEST(IsolineArcs, TouchInAPointOfAGrid) {
+  Random random(1);
+  for (int i = 0; i < 120; ++i) {
+    const auto mesh = Mesh::Build(MakeGrid({.jitter = i % 2 == 0 ? 0 : 0.2}));
+    ASSERT_TRUE(mesh.ok());
+    const auto a = static_cast<uint32_t>(random.Below(81));
+    const auto b = static_cast<uint32_t>(random.Below(81));
+    if (a == b) continue;
+    const Query query{.sources = {{VertexPoint{a}}, {VertexPoint{b}}}};
+    const double level =
+        Distance((*mesh)->positions()[a], (*mesh)->positions()[b]) / 2;
+    // The lines of a level that is a little lower touch nowhere.
+    EXPECT_NEAR(
+        LengthOf(IsolinesOrFail(**mesh, query, {level}, 1e-6)),
+        LengthOf(IsolinesOrFail(**mesh, query, {level * (1 - 1e-7)}, 1e-6)),
+        1e-4)
+        << a << ' ' << b;
+  }
+}
+
 TEST(IsolineArcs, OnBothSidesOfAClosedCurve) {
   const Drawing ring = {{{{0.4, 0.4}, {1.9, 0.4}, {0.4, 2.4}, {0.4, 0.4}}}};
   for (const double level : {1e-7, 1e-3, 0.2, 0.39}) {

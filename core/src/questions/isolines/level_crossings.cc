@@ -40,7 +40,8 @@ LevelCrossings::LevelCrossings(const Mesh& mesh,
       accuracy_(accuracy),
       band_(band),
       segments_(levels.size()),
-      loops_(levels.size()) {
+      loops_(levels.size()),
+      doubts_(levels.size()) {
   for (const Anchor& anchor : anchors) {
     const double sigma = std::ldexp(anchor.offset, -mesh.scale_exponent());
     if (anchor.is_segment) {
@@ -209,11 +210,13 @@ LevelCrossings::Range LevelCrossings::CrossingsOf(
   mesh_.ForEachBeyond(h, [&](HalfEdge other, bool) { sides.push_back(other); });
   const std::vector<Way> ways = WaysTo(sides, low, distances);
   for (size_t level = begin; level < end; ++level) {
+    bool have_met = false;
     for (const double x :
          CrossingsOfEdge(levels_[level], mesh_.frame(h).length, distances[low],
-                         distances[high], ways)) {
+                         distances[high], ways, have_met)) {
       crossings_.push_back({static_cast<uint32_t>(level), edge, x});
     }
+    if (have_met) SetDoubt(level, Doubt::kTouching);
   }
   range.end = crossings_.size();
   return range;
@@ -424,11 +427,11 @@ absl::Status LevelCrossings::DrawLevel(FaceWays& ways, uint32_t face,
     Join(level, entries[0], exits[0], next_sample());
     return status;
   }
-  if ((may_have_loops || !entries.empty()) &&
-      ways.height() > kFlatFace * ways.size()) {
+  const bool is_flat = !(ways.height() > kFlatFace * ways.size());
+  const double near =
+      kNearCrossing * ways.size() + 2 * accuracy_.share * at_level;
+  if ((may_have_loops || !entries.empty()) && !is_flat) {
     LevelTracer tracer(ways, at_level, step);
-    const double near =
-        kNearCrossing * ways.size() + 2 * accuracy_.share * at_level;
     for (Place& entry : entries) {
       absl::StatusOr<LevelTracer::Trace> trace = tracer.TraceFrom(entry.place);
       if (!trace.ok()) return trace.status();
@@ -448,6 +451,7 @@ absl::Status LevelCrossings::DrawLevel(FaceWays& ways, uint32_t face,
       absl::StatusOr<std::vector<std::vector<FrontArc>>> found = tracer.Loops();
       if (!found.ok()) return found.status();
       loops = *std::move(found);
+      if (tracer.has_lost_some()) SetDoubt(level, Doubt::kRounded);
     }
     for (const std::vector<FrontArc>& loop : loops) {
       const uint32_t first_sample = next_sample();
@@ -460,7 +464,11 @@ absl::Status LevelCrossings::DrawLevel(FaceWays& ways, uint32_t face,
   for (const Place& entry : entries) {
     if (entry.is_taken) continue;
     const auto exit = nearest_exit(entry.place);
-    if (exit == exits.end() || exit->is_taken) break;
+    const bool has_exit = exit != exits.end() && !exit->is_taken;
+    if (!is_flat && !(has_exit && Norm(exit->place - entry.place) <= near)) {
+      SetDoubt(level, Doubt::kRounded);
+    }
+    if (!has_exit) break;
     Join(level, entry, *exit, next_sample());
   }
   return status;

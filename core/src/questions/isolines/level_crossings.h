@@ -3,6 +3,7 @@
 #ifndef GEODESIC_QUESTIONS_ISOLINES_LEVEL_CROSSINGS_H_
 #define GEODESIC_QUESTIONS_ISOLINES_LEVEL_CROSSINGS_H_
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -67,6 +68,15 @@ class LevelCrossings {
   // Errors: whatever `poll` returns.
   absl::StatusOr<std::vector<Isoline>> Isolines(
       std::span<const double> file_levels, const Poll& poll);
+
+  // Why isolines may have lost a piece.
+  enum class Doubt : uint8_t {
+    kNone,
+    kRounded,  // rounding has decided how one runs through a face
+    kTouching  // fronts touch in a point
+  };
+  // Of each level, the greatest.
+  const std::vector<Doubt>& doubts() const { return doubts_; }
 
   uint64_t bytes() const;
 
@@ -134,6 +144,9 @@ class LevelCrossings {
   double ChordError(uint32_t level) const {
     return accuracy_.chord_error * (accuracy_.is_relative ? levels_[level] : 1);
   }
+  void SetDoubt(size_t level, Doubt doubt) {
+    doubts_[level] = std::max(doubts_[level], doubt);
+  }
   void Join(uint32_t level, const Place& entry, Place& exit,
             uint32_t first_sample);
 
@@ -159,6 +172,7 @@ class LevelCrossings {
   std::vector<FacePoint> samples_;
   std::vector<std::vector<Segment>> segments_;  // of each level
   std::vector<std::vector<Loop>> loops_;        // of each level
+  std::vector<Doubt> doubts_;                   // of each level
   uint64_t isoline_bytes_ = 0;
 };
 

@@ -221,11 +221,18 @@ absl::StatusOr<std::vector<std::vector<FrontArc>>> LevelTracer::Loops() {
         continue;
       }
       const Stretch stretch = NextStretch(front, at);
-      if (stretch.leaves_face) continue;
+      if (stretch.leaves_face) {
+        has_lost_some_ = true;
+        continue;
+      }
       std::vector<FrontArc> arcs;
       absl::StatusOr<bool> is_closed = Close({front, at, stretch.run}, arcs);
       if (!is_closed.ok()) return is_closed.status();
-      if (*is_closed) loops.push_back(std::move(arcs));
+      if (*is_closed) {
+        loops.push_back(std::move(arcs));
+      } else {
+        has_lost_some_ = true;
+      }
     }
   }
   return loops;

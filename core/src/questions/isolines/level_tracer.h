@@ -52,6 +52,9 @@ class LevelTracer {
   // The closed isolines that stay inside the face, but for those already
   // traced.
   absl::StatusOr<std::vector<std::vector<FrontArc>>> Loops();
+  // Whether Loops has seen a piece that is neither part of these nor of a
+  // trace.
+  bool has_lost_some() const { return has_lost_some_; }
 
  private:
   struct Stretch {
@@ -79,6 +82,7 @@ class LevelTracer {
   std::vector<Front> fronts_;
   std::vector<FrontArc> traced_;
   std::vector<Interval> parts_;  // scratch
+  bool has_lost_some_ = false;
 };
 
 }  // namespace geodesic

@@ -49,7 +49,8 @@ bool IsAt(double level, double distance) {
 }  // namespace
 
 std::vector<double> CrossingsOfEdge(double level, double length, double p,
-                                    double q, std::span<const Way> ways) {
+                                    double q, std::span<const Way> ways,
+                                    bool& have_met) {
   // Within [0, length], but for the part of a nearer end, which begins or ends
   // at infinity.
   std::vector<Interval> parts;
@@ -66,9 +67,13 @@ std::vector<double> CrossingsOfEdge(double level, double length, double p,
   }
   std::ranges::sort(parts, {}, &Interval::begin);
   std::vector<Interval> pieces;
+  const double point = kMeetingPoint * (level + length);
   for (const Interval& part : parts) {
     if (!pieces.empty() &&
         part.begin <= pieces.back().end + kLeastWidth * length) {
+      const double meeting = pieces.back().end;
+      have_met |= part.begin > meeting - point && part.end > meeting + point &&
+                  pieces.back().begin < meeting - point;
       pieces.back().end = std::max(pieces.back().end, part.end);
     } else {
       pieces.push_back(part);

@@ -45,8 +45,11 @@ inline Way Mirror(const Way& way, double length) {
 //
 // P and Q are nearer or not by their own distances alone, so around any cycle
 // of edges as many crossings lead in as out, whatever rounding does.
+//
+// Parts that meet in a point count as one; `have_met` becomes true then.
 std::vector<double> CrossingsOfEdge(double level, double length, double p,
-                                    double q, std::span<const Way> ways);
+                                    double q, std::span<const Way> ways,
+                                    bool& have_met);
 
 // What of a way into the face of h goes on to `side`, another half-edge of that
 // face, in the frame of `side` mirrored; none if it misses.
