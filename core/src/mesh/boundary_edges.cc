@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "mesh/large_pages.h"
+
 namespace geodesic {
 namespace {
 
@@ -37,38 +39,55 @@ absl::Status ForEach(size_t count, Checkpoint& checkpoint,
 
 absl::StatusOr<BoundaryEdges> BoundaryEdges::Find(const TriangleSoup& soup,
                                                   Checkpoint& checkpoint) {
+  struct Vertex {
+    uint64_t mixed = 0;
+    uint64_t balance = 0;
+  };
   const size_t vertices = soup.positions.size();
   const std::vector<Triangle>& triangles = soup.triangles;
-  Progress progress = {.solver_bytes = vertices * sizeof(uint64_t)};
+  Progress progress = {.solver_bytes = vertices * sizeof(Vertex)};
   BoundaryEdges found;
   absl::Status status = checkpoint.Poll(progress);
   if (!status.ok()) return status;
   // Where the faces around a vertex close, each neighbour follows in one and
   // precedes in another, and what they add up to is 0. Elsewhere it is not, but
   // for one chance in 2^64.
-  std::vector<uint64_t>& balance = found.numbers_;
-  balance.resize(vertices, 0);
+  std::vector<Vertex> around = MakeLargeVector<Vertex>(vertices);
+  for (size_t v = 0; v < vertices; ++v) around[v].mixed = Mixed(v);
+  bool names_others = false;
   status = ForEach(triangles.size(), checkpoint, progress, [&](uint32_t face) {
-    if (RepeatsVertex(triangles[face])) return;
     const auto& [a, b, c] = triangles[face];
-    const uint64_t of_a = Mixed(a), of_b = Mixed(b), of_c = Mixed(c);
-    balance[a] += of_b - of_c;
-    balance[b] += of_c - of_a;
-    balance[c] += of_a - of_b;
+    if (std::max({a, b, c}) >= vertices) {
+      names_others = true;
+      return;
+    }
+    if (RepeatsVertex(triangles[face])) return;
+    Vertex& at_a = around[a];
+    Vertex& at_b = around[b];
+    Vertex& at_c = around[c];
+    at_a.balance += at_b.mixed - at_c.mixed;
+    at_b.balance += at_c.mixed - at_a.mixed;
+    at_c.balance += at_a.mixed - at_b.mixed;
   });
   if (!status.ok()) return status;
-  const uint64_t outer = vertices - std::ranges::count(balance, 0u);
+  if (names_others) {
+    return absl::OutOfRangeError("a triangle names a vertex that is not there");
+  }
+  const uint64_t outer =
+      vertices - std::ranges::count(around, uint64_t{0}, &Vertex::balance);
   if (outer == 0) return found;
 
-  progress.solver_bytes +=
-      outer * 2 * sizeof(uint32_t) + triangles.size() * sizeof(uint32_t);
+  progress.solver_bytes += vertices * sizeof(uint32_t) +
+                           outer * 2 * sizeof(uint32_t) +
+                           triangles.size() * sizeof(uint32_t);
   status = checkpoint.Poll(progress);
   if (!status.ok()) return status;
+  found.numbers_.resize(vertices);
   found.vertices_.reserve(outer);
   for (uint32_t v = 0; v < vertices; ++v) {
-    if (balance[v] == 0) continue;
+    if (around[v].balance == 0) continue;
     found.vertices_.push_back(v);
-    found.numbers_[v] = found.vertices_.size();
+    found.numbers_[v] = static_cast<uint32_t>(found.vertices_.size());
   }
   std::vector<uint32_t> faces;
   status = ForEach(triangles.size(), checkpoint, progress, [&](uint32_t face) {

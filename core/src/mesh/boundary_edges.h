@@ -21,9 +21,10 @@ class BoundaryEdges {
  public:
   // Faces that name a vertex twice are passed over. O(V + F), times the
   // logarithm of the most edges at a vertex. Tells the checkpoint of its bytes
-  // before it takes them: 8 for a vertex and, if there is a boundary, 4 for a
-  // face, 8 for a vertex and 12 for a side at it. REQUIRES: the triangles name
-  // vertices of the soup. Errors: whatever `checkpoint` returns.
+  // before it takes them: 16 for a vertex and, if there is a boundary, 4 for a
+  // vertex and a face, and 8 for a vertex and 12 for a side at it. Errors:
+  // whatever `checkpoint` returns; OUT_OF_RANGE if a triangle names a vertex
+  // that the soup does not have.
   static absl::StatusOr<BoundaryEdges> Find(const TriangleSoup& soup,
                                             Checkpoint& checkpoint);
 
@@ -33,9 +34,7 @@ class BoundaryEdges {
   // At the boundary, in order; and the number of one among them.
   const std::vector<uint32_t>& vertices() const { return vertices_; }
   bool Has(uint32_t vertex) const { return numbers_[vertex] != 0; }
-  uint32_t NumberOf(uint32_t vertex) const {
-    return static_cast<uint32_t>(numbers_[vertex] - 1);
-  }
+  uint32_t NumberOf(uint32_t vertex) const { return numbers_[vertex] - 1; }
 
   // Whether an edge joins two vertices at the boundary.
   bool AreNeighbours(uint32_t a, uint32_t b) const;
@@ -48,7 +47,7 @@ class BoundaryEdges {
 
   std::vector<VertexPair> edges_;
   std::vector<uint32_t> vertices_;
-  std::vector<uint64_t> numbers_;  // from 1; 0 elsewhere
+  std::vector<uint32_t> numbers_;  // from 1; 0 elsewhere
   // Of edges between vertices at the boundary, the high ends of those whose low
   // end has number i, in order: highs_[begin_[i]] up to highs_[begin_[i + 1]].
   std::vector<uint32_t> begin_;

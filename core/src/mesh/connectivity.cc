@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mesh/large_pages.h"
+
 namespace geodesic {
 namespace {
 
@@ -13,7 +15,7 @@ class EdgeMatcher {
  public:
   explicit EdgeMatcher(const Incidence& incidence)
       : incidence_(incidence), arrivals_(incidence.vertex_count()) {
-    result_.exits.resize(3 * incidence.triangles.size());
+    result_.exits = MakeLargeVector<Exit>(3 * incidence.triangles.size());
     result_.is_closed_fan.resize(incidence.vertex_count());
   }
 

@@ -79,6 +79,7 @@ class Coordinates {
   // Of the shortest decimal number that reads as x: the one that a text has
   // holds no fewer.
   void AddDigits(double x) {
+    if (has_all_digits_) return;  // so there is no unit
     std::array<char, 32> text;
     const char* const end =
         std::to_chars(text.data(), text.data() + text.size(), std::abs(x),
@@ -91,16 +92,81 @@ class Coordinates {
     int power = 0;
     // from_chars knows no plus.
     std::from_chars(exponent + (exponent[1] == '+' ? 2 : 1), end, power);
+    has_all_digits_ = digits > kAllDigits;
     ++by_digits_[std::min(digits, kAllDigits + 2)];
     ++by_decimals_[std::clamp(digits - 1 - power, 0, kMostDecimals)];
   }
 
   uint64_t count_ = 0;  // that are not 0
   double largest_ = 0;
-  double float_error_ = 0;  // of the one that single precision holds worst
+  bool has_all_digits_ = false;  // one of them
+  double float_error_ = 0;       // of the one that single precision holds worst
   // How many have so many significant digits, and so many behind the point.
   std::array<uint64_t, kAllDigits + 3> by_digits_{};
   std::array<uint64_t, kMostDecimals + 1> by_decimals_{};
+};
+
+struct Box {
+  Point least;
+  Point most;
+
+  void Add(const Point& point) {
+    for (int axis = 0; axis < 3; ++axis) {
+      least[axis] = std::min(least[axis], point[axis]);
+      most[axis] = std::max(most[axis], point[axis]);
+    }
+  }
+  double Extent() const {
+    return std::max(
+        {most[0] - least[0], most[1] - least[1], most[2] - least[2]});
+  }
+};
+
+// Where most of a soup lies, by a sample of it. A few vertices far off would
+// make the rounding of their own places that of all.
+class UsualBox {
+ public:
+  // REQUIRES: the soup has faces.
+  explicit UsualBox(const TriangleSoup& soup) {
+    const size_t faces = soup.triangles.size();
+    std::vector<Point> sample(std::min<size_t>(faces, kSample));
+    for (size_t i = 0; i < sample.size(); ++i) {
+      const Triangle& corners = soup.triangles[i * faces / sample.size()];
+      sample[i] = soup.positions[corners[i % 3]];
+    }
+    std::vector<double> sorted(sample.size());
+    const size_t quarter = sample.size() / 4;
+    for (int axis = 0; axis < 3; ++axis) {
+      std::ranges::transform(
+          sample, sorted.begin(),
+          [axis](const Point& point) { return point[axis]; });
+      std::ranges::sort(sorted);
+      middle_[axis] = sorted[sorted.size() / 2];
+      spread_ = std::max(spread_,
+                         sorted[sorted.size() - 1 - quarter] - sorted[quarter]);
+    }
+    box_ = {middle_, middle_};
+    for (const Point& point : sample) {
+      if (Holds(point)) box_.Add(point);
+    }
+  }
+
+  bool Holds(const Point& point) const {
+    if (spread_ == 0) return true;
+    const double most = kFarOff * spread_;
+    return std::abs(point[0] - middle_[0]) <= most &&
+           std::abs(point[1] - middle_[1]) <= most &&
+           std::abs(point[2] - middle_[2]) <= most;
+  }
+
+  const Box& box() const { return box_; }
+
+ private:
+  static constexpr size_t kSample = 1024;
+
+  Point middle_{};
+  double spread_ = 0;  // of the middle half of all
+  Box box_{};
 };
 
 // The seams of a soup.
@@ -202,16 +268,16 @@ class Seams {
 
   // How far apart the ends of edges may be that are one.
   double Rounding() const {
+    const UsualBox usual(soup_);
     Coordinates coordinates;
-    for (const auto& [low, high] : boundary_.edges()) {
-      coordinates.Add(soup_.positions[low]);
-      coordinates.Add(soup_.positions[high]);
+    Box box = usual.box();
+    for (const uint32_t v : boundary_.vertices()) {
+      const Point& point = soup_.positions[v];
+      if (!usual.Holds(point)) continue;
+      coordinates.Add(point);
+      box.Add(point);
     }
-    const auto [low, high] = BoxAround(soup_.positions);
-    double extent = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      extent = std::max(extent, high[axis] - low[axis]);
-    }
+    const double extent = box.Extent();
     // Along each axis.
     return std::sqrt(3.0) *
            coordinates.Rounding(extent, soup_.is_single_precision);
@@ -315,12 +381,6 @@ class WithSoup final : public Checkpoint {
   Checkpoint& next_;
 };
 
-bool NamesItsVertices(const TriangleSoup& soup) {
-  return std::ranges::all_of(soup.triangles, [&](const Triangle& corners) {
-    return std::ranges::max(corners) < soup.positions.size();
-  });
-}
-
 }  // namespace
 
 absl::Status Validate(const Welding& welding) {
@@ -337,16 +397,16 @@ absl::Status Validate(const Welding& welding) {
 absl::Status JoinSeams(const Welding& welding, TriangleSoup& soup,
                        Checkpoint& asked) {
   if (absl::Status status = Validate(welding); !status.ok()) return status;
-  if (welding.kind == Welding::Kind::kNone || !NamesItsVertices(soup)) {
-    return absl::OkStatus();
-  }
+  if (welding.kind == Welding::Kind::kNone) return absl::OkStatus();
   WithSoup checkpoint(soup, asked);
   const absl::StatusOr<BoundaryEdges> boundary =
       BoundaryEdges::Find(soup, checkpoint);
+  // Such a soup is refused when the mesh is built.
+  if (absl::IsOutOfRange(boundary.status())) return absl::OkStatus();
   if (!boundary.ok()) return boundary.status();
   if (boundary->edges().empty()) return absl::OkStatus();
   absl::Status status = checkpoint.Poll(
-      {.solver_bytes = soup.positions.size() * sizeof(uint64_t) +
+      {.solver_bytes = soup.positions.size() * sizeof(uint32_t) +
                        boundary->vertices().size() * kBytesAVertex +
                        boundary->edges().size() * kBytesAnEdge});
   if (!status.ok()) return status;

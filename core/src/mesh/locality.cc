@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "mesh/large_pages.h"
+
 namespace geodesic {
 namespace {
 
@@ -42,15 +44,23 @@ constexpr int kLowerBits = 16;
 void SortByUpperKey(std::vector<Place>& places) {
   constexpr int kKeyBits = 32, kDigitBits = 11;
   constexpr size_t kDigits = size_t{1} << kDigitBits;
-  std::vector<Place> sorted(places.size());
-  for (int shift = 0; shift < kKeyBits; shift += kDigitBits) {
-    const auto digit = [&](const Place& place) {
-      return place.upper_key >> shift & (kDigits - 1);
-    };
-    std::array<uint32_t, kDigits + 1> next = {};
-    for (const Place& place : places) ++next[digit(place) + 1];
-    std::partial_sum(next.begin(), next.end(), next.begin());
-    for (const Place& place : places) sorted[next[digit(place)]++] = place;
+  constexpr int kRounds = (kKeyBits + kDigitBits - 1) / kDigitBits;
+  const auto digit = [](const Place& place, int round) {
+    return place.upper_key >> round * kDigitBits & (kDigits - 1);
+  };
+  std::array<std::array<uint32_t, kDigits + 1>, kRounds> next = {};
+  for (const Place& place : places) {
+    for (int round = 0; round < kRounds; ++round) {
+      ++next[round][digit(place, round) + 1];
+    }
+  }
+  std::vector<Place> sorted = MakeLargeVector<Place>(places.size());
+  for (int round = 0; round < kRounds; ++round) {
+    std::partial_sum(next[round].begin(), next[round].end(),
+                     next[round].begin());
+    for (const Place& place : places) {
+      sorted[next[round][digit(place, round)]++] = place;
+    }
     places.swap(sorted);
   }
 }
@@ -94,14 +104,14 @@ std::vector<uint32_t> FacesAlongCurve(const TriangleSoup& soup) {
     longest = std::max(longest, high[axis] / 16 - low[axis] / 16);
   }
   // A third of each vertex's place in the box, which is the unit cube then.
-  std::vector<Point> thirds(soup.positions.size(), Point{});
+  std::vector<Point> thirds = MakeLargeVector<Point>(soup.positions.size());
   for (size_t v = 0; v < thirds.size() && longest > 0; ++v) {
     for (int axis = 0; axis < 3; ++axis) {
       const double along = soup.positions[v][axis] / 16 - low[axis] / 16;
       thirds[v][axis] = along / longest / 3;
     }
   }
-  std::vector<Place> places(soup.triangles.size());
+  std::vector<Place> places = MakeLargeVector<Place>(soup.triangles.size());
   std::vector<uint16_t> lower_keys(places.size());
   for (uint32_t face = 0; face < places.size(); ++face) {
     Point centroid = {};
@@ -114,7 +124,7 @@ std::vector<uint32_t> FacesAlongCurve(const TriangleSoup& soup) {
   }
   SortByUpperKey(places);
   SortTies(places, lower_keys);
-  std::vector<uint32_t> faces(places.size());
+  std::vector<uint32_t> faces = MakeLargeVector<uint32_t>(places.size());
   for (size_t i = 0; i < places.size(); ++i) faces[i] = places[i].face;
   return faces;
 }

@@ -1,10 +1,5 @@
 #include "geodesic/mesh.h"
 
-#ifdef __linux__
-#include <sys/mman.h>
-#include <unistd.h>
-#endif
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,6 +15,7 @@
 #include "absl/strings/str_cat.h"
 #include "geodesic/checkpoint.h"
 #include "mesh/connectivity.h"
+#include "mesh/large_pages.h"
 #include "mesh/locality.h"
 #include "mesh/same_edges.h"
 #include "mesh/scaled_difference.h"
@@ -163,28 +159,6 @@ int ScaleExponent(std::span<const Point> positions) {
   if (longest == 0) return 0;
   // 2^(2 - e) must stay a normal number.
   return std::clamp(std::ilogb(longest) + 3, -1000, 1027);
-}
-
-// Memory for `count` values that are still to be written. Asks the system for
-// large pages where it spans whole ones: fresh memory comes a page at a time,
-// which in small pages costs more than writing it. A wish: where it cannot be
-// granted, nothing changes.
-template <typename T>
-std::unique_ptr<T[]> MakeLargeArray(size_t count) {
-  auto array = std::make_unique_for_overwrite<T[]>(count);
-#ifdef __linux__
-  // Less than this is not worth the call.
-  constexpr size_t kHugePage = size_t{1} << 21;
-  const size_t bytes = count * sizeof(T);
-  if (bytes < 2 * kHugePage) return array;
-  // The system takes whole pages only.
-  const auto page = static_cast<uintptr_t>(sysconf(_SC_PAGESIZE));
-  const auto address = reinterpret_cast<uintptr_t>(array.get());
-  const uintptr_t first = (address + page - 1) / page * page;
-  madvise(reinterpret_cast<void*>(first), address + bytes - first,
-          MADV_HUGEPAGE);
-#endif
-  return array;
 }
 
 // A face laid into the plane, once from each of its sides: The frames of the
@@ -333,7 +307,7 @@ uint64_t Mesh::resident_bytes() const {
 Mesh::Mesh(TriangleSoup soup, std::vector<Triangle> named)
     : named_(std::move(named)),
       faces_(FacesAlongCurve(soup)),
-      slots_(faces_.size()),
+      slots_(MakeLargeVector<uint32_t>(faces_.size())),
       scale_exponent_(ScaleExponent(soup.positions)) {
   half_edge_count_ = 3 * static_cast<uint32_t>(faces_.size());
   if (std::ranges::any_of(soup.triangles, RepeatsVertex)) {
@@ -343,7 +317,7 @@ Mesh::Mesh(TriangleSoup soup, std::vector<Triangle> named)
         [&](uint32_t face) { return !RepeatsVertex(soup.triangles[face]); });
     half_edge_count_ = 3 * static_cast<uint32_t>(left_out - faces_.begin());
   }
-  triangles_.reserve(faces_.size());
+  ReserveLarge(faces_.size(), triangles_);
   for (const uint32_t face : faces_) {
     slots_[face] = static_cast<uint32_t>(triangles_.size());
     triangles_.push_back(soup.triangles[face]);
@@ -426,7 +400,7 @@ void Mesh::BuildOutgoing(const TriangleSoup& soup) {
   }
   std::partial_sum(outgoing_begin_.begin(), outgoing_begin_.end(),
                    outgoing_begin_.begin());
-  outgoing_.resize(half_edge_count());
+  outgoing_ = MakeLargeVector<HalfEdge>(half_edge_count());
   std::vector<uint32_t> fill(outgoing_begin_.begin(),
                              outgoing_begin_.end() - 1);
   // In order of faces, wherever these are kept.

@@ -185,6 +185,9 @@ double RoundedUp(double x) {
   return std::ceil(x / unit) * unit;
 }
 
+// Where more edges lie together than this, some that are close may go untold.
+constexpr uint32_t kMostCompared = 64;
+
 bool AreNeighbours(const Mesh& mesh, uint32_t a, uint32_t b) {
   return VisitSides(mesh, a, b, [](HalfEdge) { return true; });
 }
@@ -232,7 +235,7 @@ void CountCloseEdges(const Mesh& mesh, std::span<const HalfEdge> boundary,
         std::max(summary.close_edge_distance,
                  std::ranges::min(pairs, {}, &ClosePair::distance).distance);
   }
-  summary.touching_edges = CountTouchingEdges(mesh, others, closeness);
+  summary.touching_edges = CountTouchingEdges(mesh, others);
 }
 
 // Fills in what SummarizeReading promises.

@@ -9,11 +9,15 @@
 
 #include "absl/container/flat_hash_map.h"
 #include "surface/surface_location.h"
+#include "tolerances.h"
 
 namespace geodesic {
 namespace {
 
 constexpr uint32_t kNone = 0xffffffffu;
+
+// In one cube, or in one place; the rest go uncounted.
+constexpr uint32_t kMostTogether = 64;
 
 Point Minus(const Point& a, const Point& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -21,7 +25,7 @@ Point Minus(const Point& a, const Point& b) {
 
 double Length(const Point& a) { return std::hypot(a[0], a[1], a[2]); }
 
-// A boundary edge in the unit of the file.
+// An edge in the unit of the file.
 struct Segment {
   HalfEdge side = 0;
   Point from{};
@@ -36,24 +40,9 @@ Segment SegmentOf(const Mesh& mesh, HalfEdge h) {
   return {h, from, to, std::isfinite(length) ? length : 0};
 }
 
-// Whether the faces of two boundary edges are one, or lie side by side: then
-// the edges are the sides of a strip.
-bool AreOfOneStrip(const Mesh& mesh, HalfEdge a, HalfEdge b) {
-  bool is_one = mesh.FaceOf(a) == mesh.FaceOf(b);
-  for (const HalfEdge h : {Next(a), Prev(a)}) {
-    if (mesh.IsBoundaryEdge(h)) continue;
-    mesh.ForEachBeyond(h, [&](HalfEdge beyond, bool) {
-      is_one = is_one || mesh.FaceOf(beyond) == mesh.FaceOf(b);
-    });
-  }
-  return is_one;
-}
-
-// Whether `edge` lies along the longer `other`.
-bool LiesAlong(const Segment& edge, const Segment& other,
-               const Closeness& closeness) {
-  const double reach =
-      std::min(closeness.distance, closeness.part * edge.length);
+// Whether `edge` lies along `other`, which is no shorter, but not end to end.
+bool LiesAlong(const Segment& edge, const Segment& other) {
+  const double reach = kTouching * edge.length;
   // Along the other's line, and across it.
   const auto place = [&](const Point& point) -> std::array<double, 2> {
     const Point way = Minus(point, other.from);
@@ -70,47 +59,52 @@ bool LiesAlong(const Segment& edge, const Segment& other,
   };
   const auto [from, from_across] = place(edge.from);
   const auto [to, to_across] = place(edge.to);
-  if (from_across > reach || to_across > reach) return false;
+  if (!(from_across <= reach && to_across <= reach)) return false;
   const double middle = from / 2 + to / 2;
-  if (!(middle > 0 && middle < other.length)) return false;
-  // End to end: CloseEdges finds those.
-  return std::min(from, to) > reach ||
-         std::max(from, to) < other.length - reach;
+  return middle > 0 && middle < other.length &&
+         (std::min(from, to) > reach ||
+          std::max(from, to) < other.length - reach);
 }
 
-// Segments in grids of cubes, one for each power of two among their lengths.
+// Whether the faces of two boundary edges are one, or lie side by side: the
+// edges are then the sides of a strip.
+bool AreOfOneStrip(const Mesh& mesh, HalfEdge a, HalfEdge b) {
+  bool is_one = mesh.FaceOf(a) == mesh.FaceOf(b);
+  for (const HalfEdge h : {Next(a), Prev(a)}) {
+    if (mesh.IsBoundaryEdge(h)) continue;
+    mesh.ForEachBeyond(h, [&](HalfEdge beyond, bool) {
+      is_one = is_one || mesh.FaceOf(beyond) == mesh.FaceOf(b);
+    });
+  }
+  return is_one;
+}
+
+// Segments in grids, one for each power of two among their lengths.
 class SegmentGrids {
  public:
-  SegmentGrids(const Mesh& mesh, std::span<const Segment> segments,
-               const Closeness& closeness)
-      : mesh_(mesh), segments_(segments), closeness_(closeness) {
+  explicit SegmentGrids(std::span<const Segment> segments)
+      : segments_(segments) {
     for (uint32_t i = 0; i < segments.size(); ++i) {
       if (segments[i].length > 0) Insert(i);
     }
   }
 
-  // Whether the segment lies along a longer one.
-  bool LiesAlongAny(const Segment& segment) const {
-    Point middle;
-    for (int axis = 0; axis < 3; ++axis) {
-      middle[axis] = segment.from[axis] / 2 + segment.to[axis] / 2;
-    }
-    uint32_t most = kMostCompared;
+  // Calls visit(number) for segments near this one, among them all that it lies
+  // along.
+  template <typename Visit>
+  void VisitNear(const Segment& segment, Visit visit) const {
     for (auto level = levels_.lower_bound(LevelOf(segment.length));
          level != levels_.end(); ++level) {
-      const auto found = last_.find(CubeOf(middle, *level));
-      if (found == last_.end()) continue;
-      for (uint32_t i = found->second; i != kNone && most > 0;
-           i = entries_[i].before, --most) {
-        const Segment& other = segments_[entries_[i].segment];
-        if (other.length >= segment.length &&
-            LiesAlong(segment, other, closeness_) &&
-            !AreOfOneStrip(mesh_, segment.side, other.side)) {
-          return true;
+      VisitCubes(segment, *level, [&](const Cube& cube) {
+        const auto found = last_.find(cube);
+        if (found == last_.end()) return;
+        uint32_t most = kMostTogether;
+        for (uint32_t i = found->second; i != kNone && most > 0;
+             i = entries_[i].before, --most) {
+          visit(entries_[i].segment);
         }
-      }
+      });
     }
-    return false;
   }
 
  private:
@@ -123,30 +117,19 @@ class SegmentGrids {
   // Cubes of 2^level are longer than a segment and what is in its reach.
   static int LevelOf(double length) { return std::ilogb(length) + 2; }
 
-  static Cube CubeOf(const Point& point, int level) {
-    Cube cube;
+  // Calls visit(cube) for the cubes of a level, none smaller than its own, that
+  // the box around a segment meets: at most two along an axis.
+  template <typename Visit>
+  static void VisitCubes(const Segment& segment, int level, Visit visit) {
+    const double reach = kTouching * segment.length;
+    Cube low, high;
     for (int axis = 0; axis < 3; ++axis) {
-      cube[axis] = std::floor(std::ldexp(point[axis], -level)) + 0.0;
-    }
-    cube[3] = level;
-    return cube;
-  }
-
-  void Insert(uint32_t number) {
-    const Segment& segment = segments_[number];
-    const double reach =
-        std::min(closeness_.distance, closeness_.part * segment.length);
-    Point least, most;
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto [low, high] =
+      const auto [least, most] =
           std::minmax(segment.from[axis], segment.to[axis]);
-      least[axis] = low - reach;
-      most[axis] = high + reach;
+      low[axis] = std::floor(std::ldexp(least - reach, -level)) + 0.0;
+      high[axis] = std::floor(std::ldexp(most + reach, -level)) + 0.0;
     }
-    const int level = LevelOf(segment.length);
-    levels_.insert(level);
-    const Cube low = CubeOf(least, level), high = CubeOf(most, level);
-    // At most two along an axis.
+    low[3] = level;
     for (int step = 0; step < 8; ++step) {
       Cube cube = low;
       bool is_new = true;
@@ -155,22 +138,27 @@ class SegmentGrids {
         is_new &= high[axis] != low[axis];
         cube[axis] = high[axis];
       }
-      if (!is_new) continue;
-      uint32_t& last = last_.try_emplace(cube, kNone).first->second;
-      entries_.push_back({number, last});
-      last = static_cast<uint32_t>(entries_.size() - 1);
+      if (is_new) visit(cube);
     }
   }
 
-  const Mesh& mesh_;
+  void Insert(uint32_t number) {
+    const int level = LevelOf(segments_[number].length);
+    levels_.insert(level);
+    VisitCubes(segments_[number], level, [&](const Cube& cube) {
+      uint32_t& last = last_.try_emplace(cube, kNone).first->second;
+      entries_.push_back({number, last});
+      last = static_cast<uint32_t>(entries_.size() - 1);
+    });
+  }
+
   const std::span<const Segment> segments_;
-  const Closeness closeness_;
   std::set<int> levels_;
   std::vector<Entry> entries_;
   absl::flat_hash_map<Cube, uint32_t> last_;
 };
 
-// The vertices of the mesh in the places where some vertices are.
+// The vertices of the mesh in the places where the ends of some edges are.
 class Places {
  public:
   Places(const Mesh& mesh, std::span<const HalfEdge> edges) : mesh_(mesh) {
@@ -189,14 +177,24 @@ class Places {
       const Point& point = mesh.positions()[v];
       if (!mark(point) || mesh.Outgoing(v).empty()) continue;
       const auto found = vertices_.find(point);
-      if (found != vertices_.end() && found->second.size() < kMostCompared) {
+      if (found != vertices_.end() && found->second.size() < kMostTogether) {
         found->second.push_back(v);
       }
     }
   }
 
-  std::span<const uint32_t> Beside(uint32_t vertex) const {
-    return vertices_.at(mesh_.positions()[vertex]);
+  // Whether an edge between the places of the ends of this one is no boundary.
+  bool HasInnerEdge(HalfEdge h) const {
+    for (const uint32_t from : Beside(mesh_.From(h))) {
+      for (const uint32_t to : Beside(mesh_.To(h))) {
+        if (VisitSides(mesh_, from, to, [&](HalfEdge side) {
+              return !mesh_.IsBoundaryEdge(side);
+            })) {
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
  private:
@@ -209,6 +207,10 @@ class Places {
     return hash;
   }
 
+  std::span<const uint32_t> Beside(uint32_t vertex) const {
+    return vertices_.at(mesh_.positions()[vertex]);
+  }
+
   const Mesh& mesh_;
   absl::flat_hash_map<Point, std::vector<uint32_t>> vertices_;
 };
@@ -216,33 +218,29 @@ class Places {
 }  // namespace
 
 uint64_t CountTouchingEdges(const Mesh& mesh,
-                            std::span<const HalfEdge> boundary,
-                            const Closeness& closeness) {
+                            std::span<const HalfEdge> boundary) {
   if (boundary.empty()) return 0;
   std::vector<Segment> segments;
   segments.reserve(boundary.size());
   for (const HalfEdge h : boundary) segments.push_back(SegmentOf(mesh, h));
-  const SegmentGrids grids(mesh, segments, closeness);
+  const SegmentGrids grids(segments);
   const Places places(mesh, boundary);
-
-  const auto lies_on_inner_edge = [&](HalfEdge h) {
-    for (const uint32_t from : places.Beside(mesh.From(h))) {
-      for (const uint32_t to : places.Beside(mesh.To(h))) {
-        if (VisitSides(mesh, from, to, [&](HalfEdge other) {
-              return !mesh.IsBoundaryEdge(other);
-            })) {
-          return true;
-        }
+  std::vector<bool> is_touching(segments.size());
+  for (uint32_t i = 0; i < segments.size(); ++i) {
+    if (!(segments[i].length > 0)) continue;
+    if (places.HasInnerEdge(boundary[i])) is_touching[i] = true;
+    grids.VisitNear(segments[i], [&](uint32_t other) {
+      if ((is_touching[i] && is_touching[other]) ||
+          segments[other].length < segments[i].length ||
+          !LiesAlong(segments[i], segments[other]) ||
+          AreOfOneStrip(mesh, boundary[i], boundary[other])) {
+        return;
       }
-    }
-    return false;
-  };
-  uint64_t count = 0;
-  for (size_t i = 0; i < boundary.size(); ++i) {
-    count += segments[i].length > 0 && (grids.LiesAlongAny(segments[i]) ||
-                                        lies_on_inner_edge(boundary[i]));
+      is_touching[i] = is_touching[other] = true;
+    });
   }
-  return count;
+  return static_cast<uint64_t>(
+      std::count(is_touching.begin(), is_touching.end(), true));
 }
 
 }  // namespace geodesic

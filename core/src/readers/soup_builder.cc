@@ -5,6 +5,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "geodesic/checkpoint.h"
+#include "mesh/large_pages.h"
 #include "polygons/cut_polygons.h"
 
 namespace geodesic {
@@ -25,13 +26,13 @@ SoupBuilder::SoupBuilder(const ReadLimits& limits)
 
 bool SoupBuilder::ReserveVertices(uint64_t count) {
   if (count > vertices_.most) return RefuseMore(vertices_);
-  soup_.positions.reserve(count);
+  ReserveLarge(count, soup_.positions);
   return true;
 }
 
 bool SoupBuilder::ReserveTriangles(uint64_t count) {
   if (count > triangles_.most) return RefuseMore(triangles_);
-  soup_.triangles.reserve(count);
+  ReserveLarge(count, soup_.triangles);
   return true;
 }
 

@@ -208,6 +208,27 @@ TEST(JoinSeamsTest, ChosenGapsStayOpen) {
   }
 }
 
+TEST(JoinSeamsTest, VerticesFarOffDoNotRoundOthers) {
+  // Two squares, 0.1 apart, and a vertex or a face far off.
+  for (const bool is_face : {false, true}) {
+    TriangleSoup soup{
+        .positions = {{0, 0, 0},
+                      {1, 0, 0},
+                      {1, 1, 0},
+                      {0, 1, 0},
+                      {1.1, 0, 0},
+                      {1.1, 1, 0},
+                      {2, 0, 0},
+                      {2, 1, 0},
+                      {1e16, 0, 0},
+                      {1e16, 1e15, 0},
+                      {1e16, 0, 1e15}},
+        .triangles = {{0, 1, 2}, {0, 2, 3}, {4, 6, 7}, {4, 7, 5}}};
+    if (is_face) soup.triangles.push_back({8, 9, 10});
+    EXPECT_EQ(Joined(soup).reading.seam_edges, 0u) << is_face;
+  }
+}
+
 TEST(JoinSeamsTest, NothingIsJoinedIfNotWanted) {
   const TriangleSoup apart = TakenApart(Cube());
   EXPECT_TRUE(Joined(apart, {.kind = Welding::Kind::kNone}).reading.is_plain());

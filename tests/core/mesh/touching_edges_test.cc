@@ -50,12 +50,12 @@ TriangleSoup CornerInsideAnEdge(double size) {
 TEST(TouchingEdgesTest, ACornerInsideAnEdge) {
   for (const double size : {1.0, 1e-200, 1e150}) {
     const MeshSummary summary = Told(CornerInsideAnEdge(size));
-    EXPECT_EQ(summary.touching_edges, 2u) << size;
+    EXPECT_EQ(summary.touching_edges, 3u) << size;
     EXPECT_EQ(summary.close_edges, 0u) << size;
     EXPECT_EQ(summary.seam_edges, 0u) << size;
     EXPECT_THAT(
         Notes(summary),
-        ElementsAre(HasSubstr("2 boundary edges lie along other edges")))
+        ElementsAre(HasSubstr("3 boundary edges lie along other edges")))
         << size;
   }
 }
@@ -63,7 +63,7 @@ TEST(TouchingEdgesTest, ACornerInsideAnEdge) {
 TEST(TouchingEdgesTest, ACornerInsideAnEdgeWhoseEndsAreJoined) {
   TriangleSoup soup = CornerInsideAnEdge(1);
   soup.triangles = {{0, 2, 1}, {0, 4, 5}, {4, 1, 5}};
-  EXPECT_EQ(Told(std::move(soup)).touching_edges, 2u);
+  EXPECT_EQ(Told(std::move(soup)).touching_edges, 3u);
 }
 
 TEST(TouchingEdgesTest, EdgesOfDifferentLengths) {
@@ -78,7 +78,7 @@ TEST(TouchingEdgesTest, EdgesOfDifferentLengths) {
     }
     soup.triangles.push_back({3 * i + 3, 3 * i + 4, 3 * i + 5});
   }
-  EXPECT_EQ(Told(std::move(soup)).touching_edges, 1000u);
+  EXPECT_EQ(Told(std::move(soup)).touching_edges, 1001u);
 }
 
 TEST(TouchingEdgesTest, EdgesThatArePushedAlongEachOther) {
@@ -138,6 +138,18 @@ TEST(TouchingEdgesTest, NothingElseIsTold) {
       {"the sides of a strip",
        {.positions = {{0, 0, 0}, {100, 0, 0}, {150, 1, 0}, {50, 1, 0}},
         .triangles = {{0, 1, 3}, {1, 2, 3}}}},
+      {"a sheared grid",
+       {.positions = {{0, 0, 0},
+                      {1, 0, 0},
+                      {2, 0, 0},
+                      {3.7, 0.03, 0},
+                      {4.7, 0.03, 0},
+                      {5.7, 0.03, 0}},
+        .triangles = {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}}},
+      {"two sheets that open in a corner",
+       {.positions =
+            {{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, -0.02, 0}, {0, -1, 0}},
+        .triangles = {{0, 1, 2}, {0, 4, 3}}}},
       {"more than doubles hold",
        {.positions = {{-1.7e308, 0, 0}, {1.7e308, 0, 0}, {0, 1.7e308, 0}},
         .triangles = {{0, 1, 2}}}}};
