@@ -24,7 +24,9 @@ namespace {
 // A server of two threads with a data folder, whose disk can be held.
 class HeldDiskTest : public ::testing::Test {
  protected:
-  HeldDiskTest() {
+  HeldDiskTest() { Start(); }
+
+  void Start() {
     setenv("LD_PRELOAD", GEODESIC_HELD_DISK_LIBRARY, 1);
     setenv("GEODESIC_HELD_DISK", pipe_.c_str(), 1);
     server_.emplace(folder_, std::vector<std::string>{
@@ -32,6 +34,15 @@ class HeldDiskTest : public ::testing::Test {
                                  "2", "--drain-seconds", "1"});
     unsetenv("LD_PRELOAD");
     unsetenv("GEODESIC_HELD_DISK");
+  }
+
+  // The distances from a vertex of a mesh.
+  auto Ask(const std::string& digest, uint32_t source) const {
+    return std::async(std::launch::async, [this, digest, source] {
+      return Client(server_->address(), {.retry = false})
+          .ComputeField(
+              {.mesh_digest = digest, .sources = {{VertexPoint{source}}}});
+    });
   }
 
   void Hold() const { ASSERT_EQ(mkfifo(pipe_.c_str(), 0600), 0); }
@@ -92,6 +103,44 @@ TEST_F(HeldDiskTest, QuestionsAboutResidentMeshesAreAnswered) {
   for (auto& upload : uploads) {
     const auto outcome = upload.get();
     EXPECT_TRUE(outcome.ok()) << outcome.status();
+  }
+}
+
+TEST_F(HeldDiskTest, FieldsThatAreReadHoldUpNobodyElse) {
+  const auto mesh = Upload(40).get();
+  ASSERT_TRUE(mesh.ok()) << mesh.status();
+  const std::string& digest = mesh->mesh.digest;
+  constexpr uint32_t kKept = 3;
+  for (uint32_t source = 0; source < kKept; ++source) {
+    ASSERT_TRUE(Ask(digest, source).get().ok());
+  }
+  const std::filesystem::path fields =
+      std::filesystem::path(folder_ / "data") / "fields";
+  ASSERT_TRUE(test::Until([&] {
+    uint32_t kept = 0;
+    for (const auto& file : std::filesystem::directory_iterator(fields)) {
+      kept += file.path().extension() == ".field";
+    }
+    return kept == kKept;
+  }));
+  server_->Terminate();
+  ASSERT_EQ(server_->Wait(), 0);
+  Start();
+  // Loads the mesh.
+  ASSERT_TRUE(Ask(digest, 100).get().ok());
+  Hold();
+  std::vector<std::future<absl::StatusOr<Field>>> kept;
+  for (uint32_t source = 0; source < kKept; ++source) {
+    kept.push_back(Ask(digest, source));
+  }
+  // More than threads that compute.
+  AwaitHeld(kKept);
+  EXPECT_TRUE(Ask(digest, 101).get().ok());
+  Release();
+  for (auto& answer : kept) {
+    const absl::StatusOr<Field> field = answer.get();
+    ASSERT_TRUE(field.ok()) << field.status();
+    EXPECT_EQ(field->origin, FieldOrigin::kCached);
   }
 }
 

@@ -256,18 +256,20 @@ absl::StatusOr<FieldCall> FieldEngine::Compute(
   }
   status = CheckPrepared(request.method);
   if (!status.ok()) return status;
-  const bool is_kept =
-      is_cached || (files_ != nullptr && files_->Find(key.field, key.reach));
+  const bool is_on_disk = !is_cached && files_ != nullptr &&
+                          files_->Find(key.field, key.reach).has_value();
+  const bool is_kept = is_cached || is_on_disk;
   if (request.must_be_kept && !is_kept) return FieldNotKept();
 
-  auto job = std::make_shared<FieldJob>(FieldJob{
-      .mesh = mesh,
-      .key = key,
-      .method = request.method,
-      .settled_log = key.extras.settled_order
-                         ? std::make_shared<SettledLog>(mesh->mesh)
-                         : nullptr,
-      .solver_bytes = PlannedSolverBytes(*mesh->mesh, key.field.query)});
+  auto job = std::make_shared<FieldJob>(
+      FieldJob{.mesh = mesh,
+               .key = key,
+               .method = request.method,
+               .settled_log = key.extras.settled_order
+                                  ? std::make_shared<SettledLog>(mesh->mesh)
+                                  : nullptr,
+               .solver_bytes = PlannedSolverBytes(*mesh->mesh, key.field.query),
+               .is_on_disk = is_on_disk});
   if (!is_kept && MayBeSearched(key)) {
     SearchMeans means = searches_.MeansFor(mesh, key.field.query->algorithm);
     if (key.reach.targets < means.field_in_searches) {
@@ -297,6 +299,7 @@ absl::StatusOr<FieldCall> FieldEngine::Compute(
                 -> absl::StatusOr<std::optional<FieldAnswer>> {
               return Answer(*job, checkpoint);
             },
+            .waits_for_disk = [job] { return job->is_on_disk; },
             .shared = job->settled_log};
       });
   if (!ticket.ok()) return ticket.status();
@@ -338,6 +341,12 @@ absl::Status FieldEngine::CheckCapacity(const FieldJob& job) const {
 }
 
 absl::Status FieldEngine::Provide(FieldJob& job) {
+  if (job.found) return absl::OkStatus();
+  // What was taken to read it from the disk.
+  job.room = {};
+  job.memory = {};
+  job.settled = {};
+  job.derived = {};
   const uint64_t vertices = job.mesh->mesh->vertex_count();
   auto settled = ByteReservation::Make(solver_memory_,
                                        SettledBytes(job.key.extras, vertices));
@@ -367,9 +376,16 @@ absl::Status FieldEngine::Provide(FieldJob& job) {
   return absl::OkStatus();
 }
 
-absl::StatusOr<FieldAnswer> FieldEngine::Answer(FieldJob& job,
-                                                JobCheckpoint& checkpoint) {
+absl::StatusOr<std::optional<FieldAnswer>> FieldEngine::Answer(
+    FieldJob& job, JobCheckpoint& checkpoint) {
   const FieldJobKey& key = job.key;
+  if (std::exchange(job.is_on_disk, false)) {
+    if (!job.found) job.found = LoadFromDisk(job);
+    const bool is_all = job.found && job.settled_log == nullptr &&
+                        !job.key.extras.NeedTrace();
+    // The rest is computed, on a thread for that.
+    if (!is_all) return std::nullopt;
+  }
   SettledLog* const settled = job.settled_log.get();
   if (settled != nullptr) {
     settled->Reserve(std::move(job.settled), job.mesh->mesh->vertex_count());
@@ -377,7 +393,7 @@ absl::StatusOr<FieldAnswer> FieldEngine::Answer(FieldJob& job,
   FieldAnswer answer{.origin = FieldOrigin::kCached};
   std::optional<FieldCache::Found> found = std::move(job.found);
   if (!found && job.search) return Search(job, checkpoint);
-  if (!found) found = LoadStored(job);
+  if (!found) found = LoadShared(job);
   if (!found) {
     absl::StatusOr<FieldHandle> field = Solve(job, checkpoint);
     if (!field.ok()) return field.status();
@@ -406,25 +422,27 @@ FieldHandle FieldEngine::Keep(const FieldKey& key, DistanceField field,
   return kept;
 }
 
-std::optional<FieldCache::Found> FieldEngine::LoadStored(FieldJob& job) {
-  if (files_ == nullptr) return {};
-  const FieldJobKey& key = job.key;
-  std::optional<FieldCache::Found> found;
+std::optional<FieldCache::Found> FieldEngine::LoadFromDisk(FieldJob& job) {
+  const auto stored = files_->Find(job.key.field, job.key.reach);
+  if (!stored) return std::nullopt;
+  absl::StatusOr<FieldCache::Found> loaded = Load(job, *stored);
   // A field that cannot be read is computed again.
-  const auto load = [&](const FieldKey& stored) {
+  if (!loaded.ok()) return std::nullopt;
+  return *std::move(loaded);
+}
+
+std::optional<FieldCache::Found> FieldEngine::LoadShared(FieldJob& job) {
+  std::optional<FieldCache::Found> found;
+  if (files_ == nullptr || !files_->has_shared()) return found;
+  VisitAnsweringKeys(job.key.field, [&](const FieldKey& stored) {
     absl::StatusOr<FieldCache::Found> loaded = Load(job, stored);
     // A tier that does not answer is not asked for the next best field.
     if (!loaded.ok()) return absl::IsUnavailable(loaded.status());
     found = *std::move(loaded);
     return true;
-  };
-  if (const auto on_disk = files_->Find(key.field, key.reach)) {
-    load(*on_disk);
-  } else if (files_->has_shared()) {
-    VisitAnsweringKeys(key.field, load);
-    // When it was asked for, nobody knew.
-    if (found) Count(&FieldCounters::queries_cached);
-  }
+  });
+  // When it was asked for, nobody knew.
+  if (found) Count(&FieldCounters::queries_cached);
   return found;
 }
 

@@ -197,6 +197,9 @@ class FieldEngine {
     uint64_t solver_bytes = 0;          // that the solver is planned to take
     std::optional<SearchMeans> search;  // if the targets are searched for
 
+    // Whether the next run reads the field from the disk.
+    bool is_on_disk = false;
+
     std::optional<FieldCache::Found> found;
     ByteReservation room;     // of the field cache
     ByteReservation memory;   // of the solver
@@ -209,13 +212,16 @@ class FieldEngine {
   absl::Status CheckCapacity(const FieldJob& job) const;
   // Finds the field or takes memory for it. Errors: as ByteBudget::Take.
   absl::Status Provide(FieldJob& job);
-  absl::StatusOr<FieldAnswer> Answer(FieldJob& job, JobCheckpoint& checkpoint);
+  // If the result is empty, call Provide and this again.
+  absl::StatusOr<std::optional<FieldAnswer>> Answer(FieldJob& job,
+                                                    JobCheckpoint& checkpoint);
   // Puts a field into the cache.
   FieldHandle Keep(const FieldKey& key, DistanceField field,
                    ByteReservation room);
-  // A field on disk or in the shared tier that answers the question, or
+  // A field on the disk, or in the shared tier, that answers the question; or
   // nothing.
-  std::optional<FieldCache::Found> LoadStored(FieldJob& job);
+  std::optional<FieldCache::Found> LoadFromDisk(FieldJob& job);
+  std::optional<FieldCache::Found> LoadShared(FieldJob& job);
   // The field of this key from there. Errors: as FieldFiles::Load; NOT_FOUND if
   // it does not reach far enough; RESOURCE_EXHAUSTED.
   absl::StatusOr<FieldCache::Found> Load(FieldJob& job, const FieldKey& stored);

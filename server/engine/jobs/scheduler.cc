@@ -56,6 +56,15 @@ absl::StatusOr<Scheduler::JobId> Scheduler::Submit(Job job) {
   return id;
 }
 
+void Scheduler::Store(absl::AnyInvocable<void()> write) {
+  (void)Submit({.priority = JobPriority::kStore,
+                .is_continuation = true,
+                .waits_for_disk = [] { return true; },
+                .run = [write = std::move(write)](
+                           const std::stop_token&) mutable { write(); },
+                .abandon = [](const absl::Status&) {}});
+}
+
 absl::StatusOr<Scheduler::Place> Scheduler::HoldPlace(
     const std::string& client) {
   std::lock_guard lock(mutex_);

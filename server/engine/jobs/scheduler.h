@@ -76,6 +76,10 @@ class Scheduler {
   // callback of the job is called.
   absl::StatusOr<JobId> Submit(Job job);
 
+  // Writes to the disk, on a thread for that, what would otherwise be computed
+  // again. Nobody waits for it; after StopAll it is dropped.
+  void Store(absl::AnyInvocable<void()> write);
+
   // Takes a place in the queue for a question of many jobs, whose reader
   // decides when the next is due. While the place is held, its continuations
   // may be submitted; at most one of them waits at a time. Errors: as Submit.

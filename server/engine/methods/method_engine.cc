@@ -100,11 +100,16 @@ absl::StatusOr<std::shared_ptr<const PreparedMethod>> MethodEngine::Make(
   if (!made.ok()) return made.status();
   ++made_;
   if (is_graph && files_ != nullptr) {
-    // A full disk does not hurt questions; uploads report it.
-    (void)files_->Put(mesh.digest, choice.neighbours,
-                      static_cast<const SaddleVertexGraph&>(**made));
-    // A mesh that was deleted before now had no file.
-    if (!meshes_.Contains(mesh.digest)) files_->EraseMesh(mesh.digest);
+    scheduler_.Store([this, digest = mesh.digest, graph = *made,
+                      neighbours = choice.neighbours] {
+      // A full disk does not hurt questions; uploads report it.
+      (void)Guarded("kept a graph", [&] {
+        return files_->Put(digest, neighbours,
+                           static_cast<const SaddleVertexGraph&>(*graph));
+      });
+      // A mesh that was deleted before now had no file.
+      if (!meshes_.Contains(digest)) files_->EraseMesh(digest);
+    });
   }
   return made;
 }

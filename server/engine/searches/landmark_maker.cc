@@ -217,6 +217,7 @@ absl::StatusOr<LandmarkMaker::Work> LandmarkMaker::Begin(
     if (stored.ok()) {
       loaded_ += stored->count();
       work.landmarks = *std::move(stored);
+      work.is_stored = true;
       return work;
     }
   }
@@ -236,21 +237,20 @@ absl::Status LandmarkMaker::AddNext(const ResidentMesh& mesh,
   if (!status.ok()) return status;
   landmarks.Add(*mesh.mesh, (*field)->Field().distances);
   ++made_;
-  if (!landmarks.next().has_value()) {
-    Store(mesh, landmarks);
-  } else if (std::has_single_bit(landmarks.count())) {
+  if (landmarks.next().has_value() && std::has_single_bit(landmarks.count())) {
     ShowCopy(mesh, landmarks);
   }
   return absl::OkStatus();
 }
 
-void LandmarkMaker::Store(const ResidentMesh& mesh,
-                          const Landmarks& landmarks) {
-  if (files_ == nullptr) return;
+void LandmarkMaker::Store(const std::string& digest) {
+  const LandmarksHandle landmarks = meshes_.landmarks().Find(digest);
+  if (landmarks == nullptr || landmarks->next().has_value()) return;
   // A full disk does not hurt questions; uploads report it.
-  (void)files_->Put(mesh.digest, landmarks);
+  (void)Guarded("kept landmarks",
+                [&] { return files_->Put(digest, *landmarks); });
   // A mesh that was deleted before now had no file.
-  if (!meshes_.Contains(mesh.digest)) files_->Erase(mesh.digest);
+  if (!meshes_.Contains(digest)) files_->Erase(digest);
 }
 
 void LandmarkMaker::EraseMesh(const std::string& digest) {
@@ -268,9 +268,14 @@ void LandmarkMaker::ShowCopy(const ResidentMesh& mesh,
 
 void LandmarkMaker::Publish(const ResidentMesh& mesh, Work work) {
   LandmarkStore& store = meshes_.landmarks();
+  const bool must_be_stored = files_ != nullptr && !work.is_stored &&
+                              !work.landmarks->next().has_value();
   store.Insert(mesh.digest, *std::move(work.landmarks), std::move(work.room));
   // A mesh that went before now found no landmarks to take along.
   if (!meshes_.store().Holds(mesh.digest)) store.Erase(mesh.digest);
+  if (must_be_stored) {
+    scheduler_.Store([this, digest = mesh.digest] { Store(digest); });
+  }
 }
 
 }  // namespace geodesic::server

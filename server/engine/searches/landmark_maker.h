@@ -79,6 +79,7 @@ class LandmarkMaker {
   struct Work {
     ByteReservation room;  // of the landmark memory
     std::optional<Landmarks> landmarks;
+    bool is_stored = false;  // on the disk
   };
 
   void Enqueue(const MeshHandle& mesh);
@@ -100,7 +101,7 @@ class LandmarkMaker {
   // If there is room for two.
   void ShowCopy(const ResidentMesh& mesh, const Landmarks& landmarks);
   void Publish(const ResidentMesh& mesh, Work work);
-  void Store(const ResidentMesh& mesh, const Landmarks& landmarks);
+  void Store(const std::string& digest);
 
   const SolveOptions options_;
   const Clock& clock_;
