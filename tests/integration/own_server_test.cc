@@ -439,5 +439,20 @@ TEST_F(OwnServerTest, TlsIsForServersElsewhere) {
   EXPECT_THAT(result.err, HasSubstr("name it with --server"));
 }
 
+TEST_F(OwnServerTest, AnotherBuildHasItsOwn) {
+  ASSERT_EQ(Run({"upload", mesh_}).exit_code, 0);
+  const fs::path folder = folder_ / "other";
+  fs::create_directory(folder);
+  for (const char* program : {GEODESIC_BINARY, GEODESICD_BINARY}) {
+    fs::copy_file(program, folder / fs::path(program).filename());
+  }
+  const std::string other = folder / fs::path(GEODESIC_BINARY).filename();
+  const ProcessResult meshes = RunProgram({other, "meshes", "--json"});
+  EXPECT_EQ(meshes.exit_code, 0) << meshes.err;
+  EXPECT_TRUE(json::parse(meshes.out)["meshes"].empty()) << meshes.out;
+  EXPECT_EQ(RunProgram({other, "server", "stop"}).exit_code, 0);
+  EXPECT_EQ(Status()["meshes"], 1);
+}
+
 }  // namespace
 }  // namespace geodesic::client

@@ -72,6 +72,13 @@ TEST_F(UnreachedTest, PairsWithoutAPathAreTold) {
               ElementsAre(json(std::sqrt(2.0)), json(), json()));
   const ProcessResult text = Geodesic({"distance", mesh_, "--pairs", pairs});
   EXPECT_THAT(text.err, HasSubstr(note));
+  // A file of paths lacks two.
+  const std::string lines = folder_ / "lines.obj";
+  const ProcessResult paths =
+      Geodesic({"distance", mesh_, "--pairs", pairs, "-o", lines});
+  EXPECT_EQ(paths.exit_code, 4);
+  EXPECT_THAT(paths.err, HasSubstr("no path for some of the pairs"));
+  EXPECT_TRUE(std::filesystem::exists(lines));
 }
 
 TEST_F(UnreachedTest, LevelsWithoutLinesAreTold) {

@@ -243,6 +243,8 @@ class Destination {
            });
   }
 
+  bool has_unreached() const { return unreached_.has_value(); }
+
   uint64_t count() const { return count_; }
   bool has_paths() const { return writers_.size() < arguments_.outputs.size(); }
   // Whether lines go to the terminal as they come; nothing else does then.
@@ -476,8 +478,12 @@ absl::Status Run(const DistanceArguments& arguments, const Session& session) {
   }
   status = PrintReport(session, {}, run.summary().info, seconds, files,
                        destination.ReportOf(run.summary()));
-  if (status.ok() && destination.LacksPaths()) {
+  if (!status.ok()) return status;
+  if (destination.LacksPaths()) {
     return NoPath("no path leads from source to target, so there is no file");
+  }
+  if (destination.has_paths() && destination.has_unreached()) {
+    return NoPath("the file has no path for some of the pairs");
   }
   return status;
 }

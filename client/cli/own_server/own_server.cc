@@ -23,6 +23,7 @@
 #include "client/cli/own_server/launch.h"
 #include "client/cli/own_server/runtime_folder.h"
 #include "client/cli/terminal/exit_code.h"
+#include "digest/sha256.h"
 
 namespace geodesic::client {
 namespace {
@@ -99,12 +100,24 @@ bool HasEnded(const Descriptor& process) {
   return poll(&ended, 1, 0) == 1;
 }
 
+// Tells builds of one version apart; empty if there is no geodesicd.
+std::string BuildMark() {
+  const absl::StatusOr<std::string> program = FindServerProgram();
+  struct stat file = {};
+  if (!program.ok() || stat(program->c_str(), &file) != 0) return "";
+  const std::string build =
+      absl::StrCat(*program, " ", file.st_size, " ", file.st_mtim.tv_sec, " ",
+                   file.st_mtim.tv_nsec);
+  return "-" + Sha256Hex(build).substr(0, 8);
+}
+
 }  // namespace
 
 absl::StatusOr<OwnServer> OwnServer::Open() {
   absl::StatusOr<std::string> folder = RuntimeFolder();
   if (!folder.ok()) return FileError(folder.status());
-  OwnServer server(absl::StrCat(*folder, "/geodesicd-", GEODESIC_VERSION));
+  OwnServer server(
+      absl::StrCat(*folder, "/geodesicd-", GEODESIC_VERSION, BuildMark()));
   if (server.socket_path().size() >= sizeof(sockaddr_un::sun_path)) {
     return FileError(absl::FailedPreconditionError(absl::StrCat(
         server.socket_path(),

@@ -1,7 +1,8 @@
 // The geodesicd that `geodesic` starts for its user when no server is named.
 //
 // It listens on a socket in RuntimeFolder, whose name has this program's
-// version, so that another version gets a server of its own. Two locks (flock)
+// version and a mark of the geodesicd that it would start, so that another build
+// gets a server of its own. Two locks (flock)
 // in the folder say who is there; the kernel frees them when a process ends,
 // however it ends:
 //   .starting  held by the command that is starting a server

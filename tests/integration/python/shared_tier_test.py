@@ -269,7 +269,7 @@ class SharedTierTest(unittest.TestCase):
 
     def test_full(self):
         truth = self.alone()
-        redis = self.redis(["--maxmemory", "1mb", "--maxmemory-policy",
+        redis = self.redis(["--maxmemory", "100kb", "--maxmemory-policy",
                             "noeviction"])
         replica = self.replica(redis.address, *PATIENT)
         replica.upload(*self.mesh)
