@@ -91,6 +91,7 @@ CommandLine ParseCommandLine(int argc, const char* const* argv,
 
   try {
     app.parse(ArgumentsInReverse(argc, argv));
+    TakeVariables(app);
     if (const std::string error = CheckTogether(options); !error.empty()) {
       throw CLI::ValidationError(error);
     }

@@ -89,6 +89,16 @@ void AddVariables(CLI::App& app) {
   }
 }
 
+void TakeVariables(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    const std::string name = option->get_envname();
+    const char* value = name.empty() ? nullptr : std::getenv(name.c_str());
+    if (value == nullptr || *value == 0 || option->count() > 0) continue;
+    option->add_result(value);
+    option->run_callback();
+  }
+}
+
 std::vector<std::string> ArgumentsInReverse(int argc, const char* const* argv) {
   std::vector<std::string> arguments(argv + 1, argv + argc);
   const bool has_flag = std::any_of(

@@ -16,6 +16,11 @@ void AddFile(CLI::App& app);
 // Gives each flag that `app` has by now its variable.
 void AddVariables(CLI::App& app);
 
+// Takes the variables that `app`, which has parsed its command line, has passed
+// over: CLI11 2.4 does so with values that it does not take, without a word.
+// Errors: throws CLI::ParseError.
+void TakeVariables(CLI::App& app);
+
 // The arguments in the order in which CLI11 takes them, last first. CLI11 reads
 // the file before the environment, so the file's own variable becomes a flag.
 std::vector<std::string> ArgumentsInReverse(int argc, const char* const* argv);

@@ -43,7 +43,9 @@ def settings_of_server():
     flags = set(re.findall(r"^  (--[a-z-]+)", text, re.M))
     variables = dict(
         (name, default) for default, name in re.findall(
-            r"^  --[a-z-]+[^=\n(]*(?:=(\S+))? \(Env:(\w+)\)", text, re.M))
+            # "=4GiB", or "[4GiB]" from CLI11 2.4 on.
+            r"^  --[a-z-]+[^=[\n(]*(?:[=[]([^]\s]+)\]?)? +\(Env:(\w+)\)", text,
+            re.M))
     return flags, variables
 
 
@@ -103,8 +105,9 @@ class ImageTest(DeployTest):
         patterns = [line for line in
                     (ROOT / ".dockerignore").read_text().splitlines()
                     if line and not line.startswith("#")]
-        files = subprocess.run(["git", "ls-files"], cwd=ROOT, text=True,
-                               stdout=subprocess.PIPE, check=False).stdout.split()
+        files = shutil.which("git") and subprocess.run(
+            ["git", "ls-files"], cwd=ROOT, text=True, stdout=subprocess.PIPE,
+            check=False).stdout.split()
         if not files:
             self.skipTest("no repository of git")
         for file in map(pathlib.PurePath, files):

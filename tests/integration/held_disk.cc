@@ -35,8 +35,9 @@ __attribute__((visibility("default"))) int fsync(int file) {
 __attribute__((visibility("default"))) ssize_t pread(int file, void* bytes,
                                                      size_t size,
                                                      off_t offset) {
-  static const auto read = reinterpret_cast<ssize_t (*)(
-      int, void*, size_t, off_t)>(dlsym(RTLD_NEXT, "pread"));
+  static const auto read =
+      reinterpret_cast<ssize_t (*)(int, void*, size_t, off_t)>(
+          dlsym(RTLD_NEXT, "pread"));
   WaitForDisk();
   return read(file, bytes, size, offset);
 }

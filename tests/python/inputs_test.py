@@ -152,7 +152,7 @@ class InputsTest(Refusing):
             path = pathlib.Path(folder) / "octahedron.off"
             path.write_text(
                 "OFF\n6 8 0\n" +
-                "".join("%r %r %r\n" % tuple(v) for v in self.vertices) +
+                "".join("%r %r %r\n" % tuple(v) for v in self.vertices.tolist()) +
                 "".join("3 %d %d %d\n" % tuple(f) for f in self.faces))
             self.assert_same(geodesic.Mesh(path))
             self.assert_same(geodesic.Mesh(str(path)))

@@ -93,7 +93,9 @@ TEST_F(StoredMeshTest, AMeshWhoseFileWasRemovedIsWrittenAgain) {
   header.set_size_bytes(off.size());
   v1::CreateMeshResponse response;
   for (const bool is_known : {true, false, true}) {
-    if (!is_known) ASSERT_TRUE(std::filesystem::remove(file));
+    if (!is_known) {
+      ASSERT_TRUE(std::filesystem::remove(file));
+    }
     ASSERT_TRUE(Upload(header, off, response).ok());
     EXPECT_EQ(response.mesh().digest(), digest);
     EXPECT_GT(response.mesh().stored_bytes(), 0u);

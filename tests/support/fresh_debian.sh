@@ -41,7 +41,9 @@ make_debian() {
 # there starts by itself, and apt asks no questions.
 enter_debian() {
   local folder
-  for folder in proc sys dev; do mount --bind "/$folder" "$1/$folder"; done
+  for folder in proc sys dev dev/pts; do
+    mount --bind "/$folder" "$1/$folder"
+  done
   cp /etc/resolv.conf "$1/etc/resolv.conf"
   printf '#!/bin/sh\nexit 101\n' >"$1/usr/sbin/policy-rc.d"
   chmod 755 "$1/usr/sbin/policy-rc.d"
