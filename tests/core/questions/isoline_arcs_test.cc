@@ -252,6 +252,41 @@ double LengthOf(const std::vector<Isoline>& lines) {
   return length;
 }
 
+TEST(IsolineArcs, AroundTheEndOfACurveAcrossAnEdge) {
+  // From a corner of a square to the middle of the diagonal: two sides, and
+  // half a circle beyond the diagonal, whatever rounding makes of the right
+  // angle.
+  for (const double side : {0.1, 0.7, 1.0, 1.1, 3.0, 17.3}) {
+    TriangleSoup soup = Square();
+    for (Point& point : soup.positions) {
+      for (double& x : point) x *= side;
+    }
+    const auto mesh = Mesh::Build(soup);
+    ASSERT_TRUE(mesh.ok());
+    const Curve curve{{VertexPoint{1}, EdgePoint{0, 2, 0.5}}};
+    EXPECT_NEAR(LengthOf(IsolinesOrFail(**mesh, {.sources = {{curve}}},
+                                        {0.1 * side}, 1e-6)) /
+                    side,
+                2 * (std::sqrt(0.5) - 0.1) + 0.1 * kPi, 1e-4)
+        << side;
+  }
+}
+
+TEST(IsolineArcs, ThroughAVertexAndBackThere) {
+  // A tetrahedron; vertex 3 is at 2 sqrt 2 from vertex 0.
+  const auto mesh =
+      Mesh::Build({{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
+                   {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}});
+  ASSERT_TRUE(mesh.ok());
+  const Query query{
+      .sources = {{FacePoint{0, {0.25, 0.5, 0.25}}}, {VertexPoint{0}}}};
+  double level = std::sqrt(8.0) * (1 - 2e-15);
+  for (int ulp = 0; ulp < 12; ++ulp, level = std::nextafter(level, 3.0)) {
+    EXPECT_NEAR(LengthOf(IsolinesOrFail(**mesh, query, {level})), 0.53535, 1e-3)
+        << level;
+  }
+}
+
 TEST(IsolineArcs, TouchInAPoint) {
   // Two quarters of circles that touch in the middle of a side.
   const auto mesh = Mesh::Build(Square());

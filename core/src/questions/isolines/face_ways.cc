@@ -9,6 +9,10 @@
 namespace geodesic {
 namespace {
 
+// Parallel rays that meet an edge at no larger angle run along it, but for
+// rounding.
+constexpr double kGrazing = 1e-9;
+
 PlanePoint Turned(const PlanePoint& direction) {  // left, by a right angle
   return {-direction.y, direction.x};
 }
@@ -203,6 +207,10 @@ void FaceWays::AddThrough(HalfEdge h, const Way& way,
       continue;
     }
     AddPoint(OnSide(entry, at), sigma);
+  }
+  // Rays that graze the edge bound nothing behind the place where they begin.
+  if (added.is_segment && origin.depth < kGrazing) {
+    added.AddBound({added.from, added.label - added.sigma});
   }
   Add(added);
 }

@@ -216,7 +216,7 @@ LevelCrossings::Range LevelCrossings::CrossingsOf(
                          distances[high], ways, have_met)) {
       crossings_.push_back({static_cast<uint32_t>(level), edge, x});
     }
-    if (have_met) SetDoubt(level, Doubt::kTouching);
+    if (have_met) SetDoubt(level, Doubt::kMeeting);
   }
   range.end = crossings_.size();
   return range;
@@ -416,6 +416,15 @@ absl::Status LevelCrossings::DrawLevel(FaceWays& ways, uint32_t face,
     });
   };
 
+  // Whether an isoline may run from a corner of the face and back there.
+  const auto leads_back = [&](const PlanePoint& place) {
+    const auto is_here = [&](const PlanePoint& other) {
+      return Norm(other - place) <= kRoundedPlace;
+    };
+    return std::ranges::any_of(ways.corners(), is_here) &&
+           std::ranges::any_of(exits, is_here, &Place::place);
+  };
+
   absl::Status status = step(64);
   std::optional<DirectionCone> directions;
   if (!ways.has_sources()) {
@@ -432,10 +441,15 @@ absl::Status LevelCrossings::DrawLevel(FaceWays& ways, uint32_t face,
       kNearCrossing * ways.size() + 2 * accuracy_.share * at_level;
   if ((may_have_loops || !entries.empty()) && !is_flat) {
     LevelTracer tracer(ways, at_level, step);
+    bool may_be_lost = false, is_astray = false;
     for (Place& entry : entries) {
       absl::StatusOr<LevelTracer::Trace> trace = tracer.TraceFrom(entry.place);
       if (!trace.ok()) return trace.status();
-      if (!trace->exit.has_value()) continue;
+      may_be_lost |= leads_back(entry.place) && trace->arcs.empty();
+      if (!trace->exit.has_value()) {
+        is_astray |= !trace->arcs.empty();
+        continue;
+      }
       const auto exit = nearest_exit(*trace->exit);
       if (exit == exits.end() || exit->is_taken ||
           Norm(exit->place - *trace->exit) > near) {
@@ -445,6 +459,9 @@ absl::Status LevelCrossings::DrawLevel(FaceWays& ways, uint32_t face,
       status.Update(sampler.Between(trace->arcs));
       Join(level, entry, *exit, first_sample);
       entry.is_taken = true;
+    }
+    if (is_astray || (may_be_lost && tracer.HasUntraced())) {
+      SetDoubt(level, Doubt::kRounded);
     }
     std::vector<std::vector<FrontArc>> loops;
     if (may_have_loops) {

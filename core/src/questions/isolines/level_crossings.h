@@ -73,7 +73,7 @@ class LevelCrossings {
   enum class Doubt : uint8_t {
     kNone,
     kRounded,  // rounding has decided how one runs through a face
-    kTouching  // fronts touch in a point
+    kMeeting   // fronts touch in a point
   };
   // Of each level, the greatest.
   const std::vector<Doubt>& doubts() const { return doubts_; }

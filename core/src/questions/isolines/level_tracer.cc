@@ -206,6 +206,16 @@ absl::StatusOr<bool> LevelTracer::Close(const FrontArc& first_stretch,
   return false;
 }
 
+bool LevelTracer::HasUntraced() {
+  return std::ranges::any_of(fronts_, [this](const Front& front) {
+    return std::ranges::any_of(BarePlaces(front), [&](double at) {
+      return std::ranges::none_of(traced_, [&](const FrontArc& arc) {
+        return Passes(arc, front.At(at));
+      });
+    });
+  });
+}
+
 absl::StatusOr<std::vector<std::vector<FrontArc>>> LevelTracer::Loops() {
   std::vector<std::vector<FrontArc>> loops;
   if (!MayHaveLoops()) return loops;

@@ -52,6 +52,9 @@ class LevelTracer {
   // The closed isolines that stay inside the face, but for those already
   // traced.
   absl::StatusOr<std::vector<std::vector<FrontArc>>> Loops();
+  // Whether a front has a place in the face that no other way covers and no trace
+  // has passed.
+  bool HasUntraced();
   // Whether Loops has seen a piece that is neither part of these nor of a
   // trace.
   bool has_lost_some() const { return has_lost_some_; }
