@@ -25,19 +25,22 @@ class Coordinates {
  public:
   void Add(const Point& point) {
     for (const double x : point) {
-      if (x == 0) continue;
-      ++count_;
       largest_ = std::max(largest_, std::abs(x));
       float_error_ =
           std::max(float_error_, std::abs(x - static_cast<float>(x)));
-      AddDigits(x);
+    }
+  }
+  // Of some of them.
+  void AddDigits(const Point& point) {
+    for (const double x : point) {
+      if (x != 0) AddDigits(x);
     }
   }
 
   // How far apart places may be that are one: along an axis, by what computing
   // them in a mesh of this extent and writing them down adds.
   double Rounding(double extent, bool is_single) const {
-    if (count_ == 0) return 0;
+    if (largest_ == 0) return 0;
     const double unit = DecimalUnit(extent);
     const bool are_floats = float_error_ <= kWrittenTwice * unit / 2;
     const double epsilon = is_single || are_floats
@@ -56,6 +59,7 @@ class Coordinates {
   // most of them have as many digits, or as many behind the point, as any. 0
   // where such digits were chosen, or the numbers are binary.
   double DecimalUnit(double extent) const {
+    if (count_ == 0) return 0;
     const auto last_used = [](const auto& counts) {
       return static_cast<int>(std::find_if(counts.rbegin(), counts.rend(),
                                            [](auto n) { return n > 0; }) -
@@ -92,12 +96,13 @@ class Coordinates {
     int power = 0;
     // from_chars knows no plus.
     std::from_chars(exponent + (exponent[1] == '+' ? 2 : 1), end, power);
+    ++count_;
     has_all_digits_ = digits > kAllDigits;
     ++by_digits_[std::min(digits, kAllDigits + 2)];
     ++by_decimals_[std::clamp(digits - 1 - power, 0, kMostDecimals)];
   }
 
-  uint64_t count_ = 0;  // that are not 0
+  uint64_t count_ = 0;  // whose digits are known
   double largest_ = 0;
   bool has_all_digits_ = false;  // one of them
   double float_error_ = 0;       // of the one that single precision holds worst
@@ -162,7 +167,7 @@ class UsualBox {
   const Box& box() const { return box_; }
 
  private:
-  static constexpr size_t kSample = 1024;
+  static constexpr size_t kSample = 256;
 
   Point middle_{};
   double spread_ = 0;  // of the middle half of all
@@ -271,10 +276,13 @@ class Seams {
     const UsualBox usual(soup_);
     Coordinates coordinates;
     Box box = usual.box();
-    for (const uint32_t v : boundary_.vertices()) {
-      const Point& point = soup_.positions[v];
+    const std::vector<uint32_t>& vertices = boundary_.vertices();
+    const size_t step = vertices.size() / kSampledDigits + 1;
+    for (size_t i = 0; i < vertices.size(); ++i) {
+      const Point& point = soup_.positions[vertices[i]];
       if (!usual.Holds(point)) continue;
       coordinates.Add(point);
+      if (i % step == 0) coordinates.AddDigits(point);
       box.Add(point);
     }
     const double extent = box.Extent();
@@ -348,6 +356,9 @@ class Seams {
   void JoinVertices(uint32_t a, uint32_t b) {
     vertices_.Join(boundary_.NumberOf(a), boundary_.NumberOf(b));
   }
+
+  // Writing digits takes longer than all else.
+  static constexpr size_t kSampledDigits = 512;
 
   TriangleSoup& soup_;
   const BoundaryEdges& boundary_;

@@ -19,6 +19,10 @@ constexpr uint32_t kNone = 0xffffffffu;
 // In one cube, or in one place; the rest go uncounted.
 constexpr uint32_t kMostTogether = 64;
 
+// Edges that have no more than this part of the shorter one in common touch in
+// a corner.
+constexpr double kLeastCommon = 1e-2;
+
 Point Minus(const Point& a, const Point& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
@@ -60,8 +64,9 @@ bool LiesAlong(const Segment& edge, const Segment& other) {
   const auto [from, from_across] = place(edge.from);
   const auto [to, to_across] = place(edge.to);
   if (!(from_across <= reach && to_across <= reach)) return false;
-  const double middle = from / 2 + to / 2;
-  return middle > 0 && middle < other.length &&
+  const double common = std::min(std::max(from, to), other.length) -
+                        std::max(std::min(from, to), 0.0);
+  return common > kLeastCommon * edge.length &&
          (std::min(from, to) > reach ||
           std::max(from, to) < other.length - reach);
 }

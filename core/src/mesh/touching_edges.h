@@ -11,11 +11,10 @@
 namespace geodesic {
 
 // How many of these boundary edges lie along another edge:
-//   along another one of them, within kTouching of the shorter one, whose
-//   middle lies on the longer one; but not end to end, which is close
-//   (close_edges.h), nor of the same face or one beside it, which are the sides
-//   of a strip; or end to end, in the same coordinates, along an edge that is
-//   no boundary.
+//   along another one of them, within kTouching of the shorter one, for more
+//   than a hundredth of it; but not end to end, which is close (close_edges.h),
+//   nor of the same face or one beside it, which are the sides of a strip;
+//   or end to end, in the same coordinates, along an edge that is no boundary.
 // O(V + edges), once for each power of two among the lengths; where more edges
 // than some dozens lie together, some may go uncounted. Edges without length
 // touch nothing.

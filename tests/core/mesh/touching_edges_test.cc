@@ -94,6 +94,26 @@ TEST(TouchingEdgesTest, EdgesThatArePushedAlongEachOther) {
             2u);
 }
 
+TEST(TouchingEdgesTest, BricksAreToldWhateverTheirShift) {
+  for (const double shift : {0.1, 0.5, 0.9}) {
+    TriangleSoup soup;
+    for (const double side : {-1.0, 1.0}) {
+      const auto first = static_cast<uint32_t>(soup.positions.size());
+      const double begin = side > 0 ? shift : 0;
+      for (const double y : {0.0, side}) {
+        for (const double x : {0.0, 1.0, 2.0}) {
+          soup.positions.push_back({begin + x, y, 0});
+        }
+      }
+      for (const uint32_t i : {first, first + 1}) {
+        soup.triangles.push_back({i, i + 1, i + 3});
+        soup.triangles.push_back({i + 1, i + 4, i + 3});
+      }
+    }
+    EXPECT_EQ(Told(std::move(soup)).touching_edges, 4u) << shift;
+  }
+}
+
 TEST(TouchingEdgesTest, AWallOnAnEdgeInsideAFloor) {
   // Its foot repeats the ends of the floor's diagonal.
   const MeshSummary summary =
