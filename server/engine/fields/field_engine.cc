@@ -381,8 +381,8 @@ absl::StatusOr<std::optional<FieldAnswer>> FieldEngine::Answer(
   const FieldJobKey& key = job.key;
   if (std::exchange(job.is_on_disk, false)) {
     if (!job.found) job.found = LoadFromDisk(job);
-    const bool is_all = job.found && job.settled_log == nullptr &&
-                        !job.key.extras.NeedTrace();
+    const bool is_all =
+        job.found && job.settled_log == nullptr && !job.key.extras.NeedTrace();
     // The rest is computed, on a thread for that.
     if (!is_all) return std::nullopt;
   }
