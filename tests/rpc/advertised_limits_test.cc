@@ -23,7 +23,7 @@ class AdvertisedLimitsTest : public test::QuestionsTest {
     StartWithGrid(/*held=*/false, options);
   }
 
-  const Limits limits_;
+  const Limits limits_ = {};
 };
 
 TEST_F(AdvertisedLimitsTest, Targets) {

@@ -211,8 +211,8 @@ absl::StatusOr<std::vector<Isoline>> ComputeIsolines(
   if (absl::Status status = CheckOptions(isolines); !status.ok()) return status;
   Levels levels{.named = isolines.levels};
   std::ranges::sort(levels.named);
-  const auto twice = std::ranges::unique(levels.named);
-  levels.named.erase(twice.begin(), twice.end());
+  levels.named.erase(std::unique(levels.named.begin(), levels.named.end()),
+                     levels.named.end());
   const ValidQuery distances_alone = query.Sorted().query.DistancesAlone();
   const double tolerance = distances_alone->tolerance;
   // Within a tolerance, windows and the distances that propagate are lower
