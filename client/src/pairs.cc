@@ -21,15 +21,11 @@ constexpr uint64_t kVertexPairBytes = 2 * sizeof(uint32_t);
 constexpr uint64_t kPairBytes = 96;
 constexpr uint64_t kRequestBytes = 256;
 
-// Source 0, target 0, source 1 and so on, if all are vertices (translate.h).
-std::vector<uint32_t> PackedPairs(std::span<const PointPair> pairs) {
-  std::vector<SurfacePoint> points;
-  points.reserve(2 * pairs.size());
-  for (const PointPair& pair : pairs) {
-    points.push_back(pair.source);
-    points.push_back(pair.target);
-  }
-  return PackedVertices(points);
+// Whether the pairs can travel in the short form.
+bool AreVertices(std::span<const PointPair> pairs) {
+  return std::ranges::all_of(pairs, [](const PointPair& pair) {
+    return ShortVertex(pair.source) && ShortVertex(pair.target);
+  });
 }
 
 absl::StatusOr<v1::ComputePairsRequest> MakePairRequest(
@@ -38,13 +34,16 @@ absl::StatusOr<v1::ComputePairsRequest> MakePairRequest(
   if (!made.ok()) return made;
   v1::ComputePairsRequest& request = *made;
   request.set_paths(query.paths);
-  const std::vector<uint32_t> vertices = PackedPairs(pairs);
-  request.mutable_vertex_pairs()->Add(vertices.begin(), vertices.end());
-  if (!vertices.empty()) return made;
+  const bool are_vertices = AreVertices(pairs);
   for (const PointPair& pair : pairs) {
-    v1::PointPair& message = *request.add_pairs();
-    *message.mutable_source() = ToProto(pair.source);
-    *message.mutable_target() = ToProto(pair.target);
+    if (are_vertices) {
+      request.add_vertex_pairs(*ShortVertex(pair.source));
+      request.add_vertex_pairs(*ShortVertex(pair.target));
+    } else {
+      v1::PointPair& message = *request.add_pairs();
+      *message.mutable_source() = ToProto(pair.source);
+      *message.mutable_target() = ToProto(pair.target);
+    }
   }
   return made;
 }
@@ -52,8 +51,7 @@ absl::StatusOr<v1::ComputePairsRequest> MakePairRequest(
 // How many of the pairs one call takes.
 uint64_t PairsPerCall(std::span<const PointPair> pairs,
                       const ServerLimits& limits) {
-  const uint64_t bytes =
-      PackedPairs(pairs).empty() ? kPairBytes : kVertexPairBytes;
+  const uint64_t bytes = AreVertices(pairs) ? kVertexPairBytes : kPairBytes;
   const uint64_t room = limits.max_message_bytes -
                         std::min(limits.max_message_bytes, kRequestBytes);
   return std::max<uint64_t>(1, std::min(limits.max_pairs, room / bytes));

@@ -49,8 +49,9 @@ std::vector<std::string> NamesOf(bool are_approximate) {
   return names;
 }
 
-bool IsShort(const VertexPoint& point) {
-  return point.vertex <= std::numeric_limits<uint32_t>::max();
+std::optional<uint32_t> ShortNumber(const VertexPoint& point) {
+  if (point.vertex > std::numeric_limits<uint32_t>::max()) return std::nullopt;
+  return static_cast<uint32_t>(point.vertex);
 }
 
 // Puts a place into a v1::SurfacePoint or a v1::Source, whose fields have the
@@ -250,26 +251,14 @@ v1::Source ToProto(const Source& source) {
   return message;
 }
 
-std::vector<uint32_t> PackedVertices(std::span<const SurfacePoint> points) {
-  std::vector<uint32_t> vertices;
-  vertices.reserve(points.size());
-  for (const SurfacePoint& point : points) {
-    const auto* at = std::get_if<VertexPoint>(&point);
-    if (at == nullptr || !IsShort(*at)) return {};
-    vertices.push_back(static_cast<uint32_t>(at->vertex));
-  }
-  return vertices;
+std::optional<uint32_t> ShortVertex(const SurfacePoint& point) {
+  const auto* at = std::get_if<VertexPoint>(&point);
+  return at != nullptr ? ShortNumber(*at) : std::nullopt;
 }
 
-std::vector<uint32_t> PackedVertices(std::span<const Source> sources) {
-  std::vector<uint32_t> vertices;
-  vertices.reserve(sources.size());
-  for (const Source& source : sources) {
-    const auto* at = std::get_if<VertexPoint>(&source.place);
-    if (at == nullptr || !IsShort(*at) || source.offset != 0) return {};
-    vertices.push_back(static_cast<uint32_t>(at->vertex));
-  }
-  return vertices;
+std::optional<uint32_t> ShortVertex(const Source& source) {
+  const auto* at = std::get_if<VertexPoint>(&source.place);
+  return at != nullptr && source.offset == 0 ? ShortNumber(*at) : std::nullopt;
 }
 
 v1::Approximation ToProto(const Approximation& approximation) {

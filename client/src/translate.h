@@ -5,6 +5,7 @@
 #define GEODESIC_CLIENT_TRANSLATE_H_
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -51,10 +52,23 @@ std::string AlgorithmName(v1::Algorithm algorithm);
 // Errors: INVALID_ARGUMENT naming `name` and the known names.
 absl::StatusOr<v1::Algorithm> AlgorithmFromName(std::string_view name);
 
-// The numbers of points, or of sources without an offset, if all of them are
-// vertices that 32 bits hold; empty otherwise.
-std::vector<uint32_t> PackedVertices(std::span<const SurfacePoint> points);
-std::vector<uint32_t> PackedVertices(std::span<const Source> sources);
+// The number of a point, or of a source without an offset, that is a vertex of
+// 32 bits; nothing for others.
+std::optional<uint32_t> ShortVertex(const SurfacePoint& point);
+std::optional<uint32_t> ShortVertex(const Source& source);
+
+// The numbers of places, if each has one; empty otherwise.
+template <typename Place>
+std::vector<uint32_t> PackedVertices(std::span<const Place> places) {
+  std::vector<uint32_t> vertices;
+  vertices.reserve(places.size());
+  for (const Place& place : places) {
+    const std::optional<uint32_t> vertex = ShortVertex(place);
+    if (!vertex.has_value()) return {};
+    vertices.push_back(*vertex);
+  }
+  return vertices;
+}
 
 // The targets of a question; vertices in the short form.
 template <typename Request>

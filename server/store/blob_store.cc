@@ -410,9 +410,8 @@ absl::Status BlobStore::Take(const std::string& name, TakeBlob take) {
   const absl::StatusOr<FileDescriptor> file =
       OpenToRead(folder_.get(), FileName(name), PathOf(name));
   if (!file.ok()) {
-    if (!absl::IsNotFound(file.status())) return file.status();
     // Erase, or somebody outside the server, has removed the file.
-    if (absl::Status status = Look(name); !status.ok()) return status;
+    if (absl::IsNotFound(file.status())) (void)Look(name);
     return file.status();
   }
   struct stat facts {};

@@ -181,7 +181,8 @@ class WebDoor::Exchange {
   // The request's head has come.
   MHD_Result Begin(std::string_view method, const std::string& path) {
     door_.watch_.Rest(number_);
-    const std::string_view ambiguity = Ambiguity(HeadersOf(connection_));
+    const HttpHeaders headers = HeadersOf(connection_);
+    const std::string_view ambiguity = Ambiguity(headers);
     if (!ambiguity.empty()) {
       return Refuse(connection_, MHD_HTTP_BAD_REQUEST, std::string(ambiguity));
     }
@@ -192,7 +193,7 @@ class WebDoor::Exchange {
           absl::StrCat("this server does not answer for the host \"",
                        std::string(host), "\"; --web-allow-origin allows one"));
     }
-    if (method == MHD_HTTP_METHOD_POST) return BeginCall(path);
+    if (method == MHD_HTTP_METHOD_POST) return BeginCall(path, headers);
     // The connection is kept only if the answer comes after the whole request.
     if (method == MHD_HTTP_METHOD_OPTIONS) {
       answer_ = [this] { return AnswerPreflight(); };
@@ -282,7 +283,7 @@ class WebDoor::Exchange {
                                "one"));
   }
 
-  MHD_Result BeginCall(const std::string& path) {
+  MHD_Result BeginCall(const std::string& path, const HttpHeaders& headers) {
     const std::string_view origin = Header(connection_, "Origin");
     if (door_.policy_.IsAllowed(origin)) {
       origin_ = origin;
@@ -300,7 +301,6 @@ class WebDoor::Exchange {
     if (!IsMethod(path)) {
       return Refuse(connection_, MHD_HTTP_NOT_FOUND, "there is no such method");
     }
-    const HttpHeaders headers = HeadersOf(connection_);
     size_t bytes = 0;
     for (const auto& [name, value] : headers) {
       bytes += name.size() + value.size();

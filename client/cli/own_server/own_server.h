@@ -1,10 +1,9 @@
 // The geodesicd that `geodesic` starts for its user when no server is named.
 //
 // It listens on a socket in RuntimeFolder, whose name has this program's
-// version and a mark of the geodesicd that it would start, so that another build
-// gets a server of its own. Two locks (flock)
-// in the folder say who is there; the kernel frees them when a process ends,
-// however it ends:
+// version and a mark of the geodesicd that it would start, so that another
+// build gets a server of its own. Two locks (flock) in the folder say who is
+// there; the kernel frees them when a process ends, however it ends:
 //   .starting  held by the command that is starting a server
 //   .alive     held by the server as long as it lives
 // So one server is started at a time, and never while another still ends.

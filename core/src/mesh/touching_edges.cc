@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <vector>
 
@@ -22,6 +23,10 @@ constexpr uint32_t kMostTogether = 64;
 // Edges that have no more than this part of the shorter one in common touch in
 // a corner.
 constexpr double kLeastCommon = 1e-2;
+
+// Coordinates of an edge longer by more powers of two are rounded by more than
+// the shorter edge.
+constexpr int kMostLevels = std::numeric_limits<double>::digits;
 
 Point Minus(const Point& a, const Point& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -98,8 +103,9 @@ class SegmentGrids {
   // along.
   template <typename Visit>
   void VisitNear(const Segment& segment, Visit visit) const {
-    for (auto level = levels_.lower_bound(LevelOf(segment.length));
-         level != levels_.end(); ++level) {
+    const int own = LevelOf(segment.length);
+    for (auto level = levels_.lower_bound(own);
+         level != levels_.end() && *level <= own + kMostLevels; ++level) {
       VisitCubes(segment, *level, [&](const Cube& cube) {
         const auto found = last_.find(cube);
         if (found == last_.end()) return;

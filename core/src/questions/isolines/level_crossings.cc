@@ -460,9 +460,12 @@ absl::Status LevelCrossings::DrawLevel(FaceWays& ways, uint32_t face,
       Join(level, entry, *exit, first_sample);
       entry.is_taken = true;
     }
-    if (is_astray || (may_be_lost && tracer.HasUntraced())) {
-      SetDoubt(level, Doubt::kRounded);
+    if (!is_astray && may_be_lost) {
+      const absl::StatusOr<bool> has_untraced = tracer.HasUntraced();
+      if (!has_untraced.ok()) return has_untraced.status();
+      is_astray = *has_untraced;
     }
+    if (is_astray) SetDoubt(level, Doubt::kRounded);
     std::vector<std::vector<FrontArc>> loops;
     if (may_have_loops) {
       absl::StatusOr<std::vector<std::vector<FrontArc>>> found = tracer.Loops();

@@ -206,14 +206,21 @@ absl::StatusOr<bool> LevelTracer::Close(const FrontArc& first_stretch,
   return false;
 }
 
-bool LevelTracer::HasUntraced() {
-  return std::ranges::any_of(fronts_, [this](const Front& front) {
-    return std::ranges::any_of(BarePlaces(front), [&](double at) {
-      return std::ranges::none_of(traced_, [&](const FrontArc& arc) {
-        return Passes(arc, front.At(at));
-      });
-    });
-  });
+bool LevelTracer::IsTraced(const PlanePoint& place) const {
+  return std::ranges::any_of(
+      traced_, [&](const FrontArc& arc) { return Passes(arc, place); });
+}
+
+absl::StatusOr<bool> LevelTracer::HasUntraced() {
+  for (const Front& front : fronts_) {
+    if (absl::Status status = step_(fronts_.size()); !status.ok()) {
+      return status;
+    }
+    for (const double at : BarePlaces(front)) {
+      if (!IsTraced(front.At(at))) return true;
+    }
+  }
+  return false;
 }
 
 absl::StatusOr<std::vector<std::vector<FrontArc>>> LevelTracer::Loops() {
@@ -225,11 +232,7 @@ absl::StatusOr<std::vector<std::vector<FrontArc>>> LevelTracer::Loops() {
     }
     for (const double at : BarePlaces(front)) {
       const PlanePoint place = front.At(at);
-      if (std::ranges::any_of(traced_, [&](const FrontArc& arc) {
-            return Passes(arc, place);
-          })) {
-        continue;
-      }
+      if (IsTraced(place)) continue;
       const Stretch stretch = NextStretch(front, at);
       if (stretch.leaves_face) {
         has_lost_some_ = true;

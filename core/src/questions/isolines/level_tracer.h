@@ -52,9 +52,9 @@ class LevelTracer {
   // The closed isolines that stay inside the face, but for those already
   // traced.
   absl::StatusOr<std::vector<std::vector<FrontArc>>> Loops();
-  // Whether a front has a place in the face that no other way covers and no trace
-  // has passed.
-  bool HasUntraced();
+  // Whether a front has a place in the face that no other way covers and no
+  // trace has passed.
+  absl::StatusOr<bool> HasUntraced();
   // Whether Loops has seen a piece that is neither part of these nor of a
   // trace.
   bool has_lost_some() const { return has_lost_some_; }
@@ -74,6 +74,7 @@ class LevelTracer {
   // every two that are covered.
   std::vector<double> BarePlaces(const Front& front);
   bool Passes(const FrontArc& arc, const PlanePoint& place) const;
+  bool IsTraced(const PlanePoint& place) const;
   // Follows the isoline from a place inside; whether that leads back there.
   absl::StatusOr<bool> Close(const FrontArc& first_stretch,
                              std::vector<FrontArc>& arcs);
