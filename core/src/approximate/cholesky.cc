@@ -18,10 +18,10 @@ class Workspace {
     cholmod_start(&common_);
     common_.print = 0;
     common_.supernodal = CHOLMOD_SIMPLICIAL;
-    // METIS makes half the fill on large even meshes, but draws from rand(),
-    // which other threads may do meanwhile.
+    // By AMD. METIS makes half the fill on large even meshes, but draws from
+    // rand(), which other threads may do meanwhile.
     common_.nmethods = 1;
-    common_.method[0].ordering = CHOLMOD_AMD;
+    common_.method[0].ordering = CHOLMOD_GIVEN;
   }
   ~Workspace() { cholmod_finish(&common_); }
   Workspace(const Workspace&) = delete;
@@ -50,20 +50,27 @@ class Workspace {
   cholmod_common common_;
 };
 
-class Sparse {
+// What CHOLMOD gave, with the workspace that takes it back.
+template <typename T, int (*Free)(T**, cholmod_common*)>
+class Held {
  public:
-  Sparse(cholmod_sparse* matrix, cholmod_common* common)
-      : matrix_(matrix), common_(common) {}
-  ~Sparse() { cholmod_free_sparse(&matrix_, common_); }
-  Sparse(const Sparse&) = delete;
-  Sparse& operator=(const Sparse&) = delete;
+  Held(T* it, cholmod_common* common) : it_(it), common_(common) {}
+  ~Held() { Free(&it_, common_); }
+  Held(const Held&) = delete;
+  Held& operator=(const Held&) = delete;
 
-  cholmod_sparse* get() const { return matrix_; }
+  void Take(T* other) {
+    Free(&it_, common_);
+    it_ = other;
+  }
+  T* get() const { return it_; }
 
  private:
-  cholmod_sparse* matrix_;
+  T* it_;
   cholmod_common* common_;
 };
+using Sparse = Held<cholmod_sparse, cholmod_free_sparse>;
+using Dense = Held<cholmod_dense, cholmod_free_dense>;
 
 // CHOLMOD reads it only.
 template <typename T>
@@ -125,13 +132,19 @@ class Cholesky::Factor {
 class Cholesky::Order : public Cholesky::Factor {};
 
 absl::StatusOr<std::shared_ptr<const Cholesky::Order>> Cholesky::Analyze(
-    const SymmetricPattern& pattern) {
+    const SymmetricPattern& pattern, Checkpoint& checkpoint,
+    const Progress& progress) {
   auto order = std::make_shared<Order>();
+  Workspace& workspace = order->workspace();
   cholmod_sparse matrix = MatrixOf(pattern, nullptr);
-  order->get() = cholmod_analyze(&matrix, order->workspace().get());
-  if (absl::Status status = order->workspace().status(); !status.ok()) {
-    return status;
-  }
+  std::vector<int32_t> given(pattern.size());
+  cholmod_amd(&matrix, nullptr, 0, given.data(), workspace.get());
+  absl::Status status = workspace.status();
+  if (status.ok()) status = checkpoint.Poll(progress);
+  if (!status.ok()) return status;
+  order->get() =
+      cholmod_analyze_p(&matrix, given.data(), nullptr, 0, workspace.get());
+  if (status = workspace.status(); !status.ok()) return status;
   return order;
 }
 
@@ -147,12 +160,14 @@ absl::StatusOr<Cholesky> Cholesky::Factorize(const SymmetricPattern& pattern,
   Workspace& workspace = factor->workspace();
   factor->get() = cholmod_copy_factor(order.get(), workspace.get());
   if (status = workspace.status(); !status.ok()) return status;
+  if (status = checkpoint.Poll(progress); !status.ok()) return status;
   cholmod_sparse matrix = MatrixOf(pattern, values.data());
   const Sparse lower(
       cholmod_ptranspose(&matrix, 1, static_cast<int*>(order.get()->Perm),
                          nullptr, 0, workspace.get()),
       workspace.get());
   if (status = workspace.status(); !status.ok()) return status;
+  if (status = checkpoint.Poll(progress); !status.ok()) return status;
   const Sparse upper(cholmod_transpose(lower.get(), 1, workspace.get()),
                      workspace.get());
   if (status = workspace.status(); !status.ok()) return status;
@@ -181,25 +196,28 @@ Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
 Cholesky::~Cholesky() = default;
 
 absl::StatusOr<std::vector<double>> Cholesky::Solve(
-    std::span<const double> right_side) const {
-  Workspace workspace;
-  cholmod_dense dense{};
-  dense.nrow = dense.nzmax = dense.d = right_side.size();
-  dense.ncol = 1;
-  dense.x = Writable(right_side.data());
-  dense.xtype = CHOLMOD_REAL;
-  dense.dtype = CHOLMOD_DOUBLE;
+    std::span<const double> right_side, Checkpoint& checkpoint,
+    const Progress& progress) const {
   const Factor& factor = *factor_;
-  cholmod_dense* solved =
-      cholmod_solve(CHOLMOD_A, factor.get(), &dense, workspace.get());
-  if (absl::Status status = workspace.status(); !status.ok()) {
-    cholmod_free_dense(&solved, workspace.get());
-    return status;
+  Workspace workspace;
+  cholmod_dense right{};
+  right.nrow = right.nzmax = right.d = right_side.size();
+  right.ncol = 1;
+  right.x = Writable(right_side.data());
+  right.xtype = CHOLMOD_REAL;
+  right.dtype = CHOLMOD_DOUBLE;
+  Dense solved(nullptr, workspace.get());
+  for (const int system : {CHOLMOD_P, CHOLMOD_LD, CHOLMOD_Lt, CHOLMOD_Pt}) {
+    if (absl::Status status = checkpoint.Poll(progress); !status.ok()) {
+      return status;
+    }
+    solved.Take(cholmod_solve(system, factor.get(),
+                              solved.get() == nullptr ? &right : solved.get(),
+                              workspace.get()));
+    if (absl::Status status = workspace.status(); !status.ok()) return status;
   }
-  const auto* x = static_cast<const double*>(solved->x);
-  std::vector<double> solution(x, x + right_side.size());
-  cholmod_free_dense(&solved, workspace.get());
-  return solution;
+  const auto* x = static_cast<const double*>(solved.get()->x);
+  return std::vector<double>(x, x + right_side.size());
 }
 
 uint64_t Cholesky::bytes() const { return BytesOf(*factor_->get()); }

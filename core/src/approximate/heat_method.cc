@@ -26,6 +26,7 @@
 #include "approximate/seeds.h"
 #include "geodesic/field_path.h"
 #include "mesh/file_unit.h"
+#include "solver/work_meter.h"
 #include "surface/surface_location.h"
 
 namespace geodesic {
@@ -105,7 +106,7 @@ class HeatMethod::Systems {
   absl::Status PollSolving(Checkpoint& checkpoint) const {
     return checkpoint.Poll(Solving());
   }
-  void BuildMatrices();
+  absl::Status BuildMatrices(Checkpoint& checkpoint);
   // The Laplacian, with the rows and columns of some vertices those of the
   // identity.
   std::vector<double> Pinned(const std::vector<bool>& is_pinned) const;
@@ -115,7 +116,7 @@ class HeatMethod::Systems {
                    std::vector<double>& right) const;
   std::vector<HeatSource> SourcesOf(const ValidQuery& query) const;
   absl::StatusOr<std::vector<double>> SpreadHeat(
-      const std::vector<HeatSource>& sources) const;
+      const std::vector<HeatSource>& sources, Checkpoint& checkpoint) const;
   // The divergence of the unit field along which heat flows, integrated around
   // each vertex.
   std::vector<double> Divergence(const std::vector<double>& heat) const;
@@ -145,14 +146,17 @@ absl::Status HeatMethod::Systems::Prepare(bool intrinsic_delaunay,
     }
     face_weight_ = 1.0 / triangulation.sheets();
     faces_.reserve(triangulation.face_count());
+    const auto poll = [&] { return PollPreparing(checkpoint); };
+    WorkMeter meter(poll);
     for (uint32_t f = 0; f < triangulation.face_count(); ++f) {
+      if (!meter.Do()) return meter.status();
       faces_.push_back(triangulation.FaceAt(f));
     }
   }
-  BuildMatrices();
-  if (absl::Status status = PollPreparing(checkpoint); !status.ok())
+  if (absl::Status status = BuildMatrices(checkpoint); !status.ok()) {
     return status;
-  auto order = Cholesky::Analyze(pattern_);
+  }
+  auto order = Cholesky::Analyze(pattern_, checkpoint, Preparing());
   if (!order.ok()) return order.status();
   order_ = *std::move(order);
   if (absl::Status status = PollPreparing(checkpoint); !status.ok())
@@ -180,16 +184,19 @@ absl::Status HeatMethod::Systems::Prepare(bool intrinsic_delaunay,
   return PollPreparing(checkpoint);
 }
 
-void HeatMethod::Systems::BuildMatrices() {
+absl::Status HeatMethod::Systems::BuildMatrices(Checkpoint& checkpoint) {
   const uint32_t n = mesh_.vertex_count();
   masses_.assign(n, 0);
+  const auto poll = [&] { return PollPreparing(checkpoint); };
+  WorkMeter meter(poll);
   struct Entry {
     int32_t row;
     double value;
   };
   // Of each column, those above the diagonal; a face gives three.
   std::vector<uint32_t> begin(n + 1, 0);
-  const auto for_each_side = [this](auto visit) {
+  // False if told to stop.
+  const auto for_each_side = [&](auto visit) {
     for (const Face& face : faces_) {
       const auto [a, b, c] = face.corners;
       const double twice_area = face.length * face.y;
@@ -202,23 +209,30 @@ void HeatMethod::Systems::BuildMatrices() {
       visit(a, b, at_c);
       visit(b, c, at_a);
       visit(c, a, at_b);
+      if (!meter.Do()) return false;
     }
+    return true;
   };
-  for_each_side([&](uint32_t a, uint32_t b, double) {
-    if (a != b) ++begin[std::max(a, b) + 1];
-  });
+  if (!for_each_side([&](uint32_t a, uint32_t b, double) {
+        if (a != b) ++begin[std::max(a, b) + 1];
+      })) {
+    return meter.status();
+  }
   for (uint32_t v = 0; v < n; ++v) begin[v + 1] += begin[v];
   std::vector<Entry> entries(begin[n]);
   std::vector<double> diagonal(n, 0);
   std::vector<uint32_t> next(begin.begin(), begin.end() - 1);
-  for_each_side([&](uint32_t a, uint32_t b, double cotangent) {
-    if (a == b) return;
-    entries[next[std::max(a, b)]++] = {static_cast<int32_t>(std::min(a, b)),
-                                       -cotangent};
-    diagonal[a] += cotangent;
-    diagonal[b] += cotangent;
-  });
+  if (!for_each_side([&](uint32_t a, uint32_t b, double cotangent) {
+        if (a == b) return;
+        entries[next[std::max(a, b)]++] = {static_cast<int32_t>(std::min(a, b)),
+                                           -cotangent};
+        diagonal[a] += cotangent;
+        diagonal[b] += cotangent;
+      })) {
+    return meter.status();
+  }
   for (const Face& face : faces_) {
+    if (!meter.Do()) return meter.status();
     for (const uint32_t v : face.corners) {
       masses_[v] += face_weight_ * face.length * face.y / 6;
     }
@@ -227,6 +241,7 @@ void HeatMethod::Systems::BuildMatrices() {
   for (uint32_t column = 0; column < n; ++column) {
     const auto first = entries.begin() + begin[column];
     const auto last = entries.begin() + begin[column + 1];
+    if (!meter.Do(1 + begin[column + 1] - begin[column])) return meter.status();
     // Stable, so that sums do not depend on the library.
     std::stable_sort(first, last, [](const Entry& a, const Entry& b) {
       return a.row < b.row;
@@ -247,6 +262,7 @@ void HeatMethod::Systems::BuildMatrices() {
     // A vertex without faces keeps what it is given.
     if (masses_[column] == 0) masses_[column] = 1;
   }
+  return absl::OkStatus();
 }
 
 std::vector<double> HeatMethod::Systems::Pinned(
@@ -298,7 +314,7 @@ std::vector<HeatSource> HeatMethod::Systems::SourcesOf(
 }
 
 absl::StatusOr<std::vector<double>> HeatMethod::Systems::SpreadHeat(
-    const std::vector<HeatSource>& sources) const {
+    const std::vector<HeatSource>& sources, Checkpoint& checkpoint) const {
   std::vector<double> right(mesh_.vertex_count(), 0);
   std::vector<bool> has_source(mesh_.vertex_count());
   for (const HeatSource& source : sources) {
@@ -307,7 +323,8 @@ absl::StatusOr<std::vector<double>> HeatMethod::Systems::SpreadHeat(
       right[source.corners[i]] += kHeat * source.place.weights[i];
     }
   }
-  absl::StatusOr<std::vector<double>> heat = heat_->Solve(right);
+  absl::StatusOr<std::vector<double>> heat =
+      heat_->Solve(right, checkpoint, Solving());
   if (!heat.ok()) return heat;
   for (uint32_t v = 0; v < heat->size(); ++v) {
     if (has_source[components_[v]] && !(std::abs((*heat)[v]) > kLeastHeat)) {
@@ -351,7 +368,8 @@ absl::StatusOr<std::vector<double>> HeatMethod::Systems::Distances(
   const std::vector<HeatSource> sources = SourcesOf(query);
   if (absl::Status status = PollSolving(checkpoint); !status.ok())
     return status;
-  const absl::StatusOr<std::vector<double>> heat = SpreadHeat(sources);
+  const absl::StatusOr<std::vector<double>> heat =
+      SpreadHeat(sources, checkpoint);
   if (!heat.ok()) return heat.status();
   std::vector<double> right = Divergence(*heat);
   if (absl::Status status = PollSolving(checkpoint); !status.ok())
@@ -381,10 +399,10 @@ absl::StatusOr<std::vector<double>> HeatMethod::Systems::Distances(
         pattern_, *order_, Pinned(is_pinned), checkpoint, Solving());
     if (!pinned.ok()) return pinned.status();
     MoveToRight(is_pinned, values, right);
-    distances = pinned->Solve(right);
+    distances = pinned->Solve(right, checkpoint, Solving());
   } else {
     for (const uint32_t v : components_) right[v] = 0;
-    distances = poisson_->Solve(right);
+    distances = poisson_->Solve(right, checkpoint, Solving());
   }
   if (!distances.ok()) return distances;
 

@@ -44,6 +44,9 @@ IntrinsicTriangulation::IntrinsicTriangulation(const Mesh& mesh) {
 }
 
 void IntrinsicTriangulation::AddFaces(const Mesh& mesh) {
+  corners_.reserve(mesh.half_edge_count());
+  twins_.reserve(mesh.half_edge_count());
+  lengths_.reserve(mesh.half_edge_count());
   for (HalfEdge h = 0; h < mesh.half_edge_count(); ++h) {
     corners_.push_back(mesh.From(h));
     twins_.push_back(mesh.Twin(h));
