@@ -63,6 +63,16 @@ class SoupBuilder {
     return true;
   }
 
+  // A polygon of three corners at once.
+  bool AddTriangle(const Triangle& corners) {
+    if (soup_.triangles.size() >= triangles_.next &&
+        !Pause(soup_.triangles.size(), triangles_)) {
+      return false;
+    }
+    soup_.triangles.push_back(corners);
+    return true;
+  }
+
   // For work that adds nothing: asks the limits' checkpoint.
   bool Poll();
 
