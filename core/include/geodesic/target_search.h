@@ -34,7 +34,7 @@
 namespace geodesic {
 
 // A field costs about as much as so many searches directed at one target, on
-// meshes of 10^4 to 10^6 faces and pairs drawn at random (docs/performance.md,
+// meshes of 10^4 to 10^6 faces and pairs drawn at random (docs/benchmarks.md,
 // "Two places").
 inline constexpr size_t kFieldInSearches = 12;
 
