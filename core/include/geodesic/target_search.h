@@ -54,6 +54,7 @@ constexpr uint32_t LandmarksWorth(size_t searches) {
       std::min<size_t>(searches / kSearchesPerLandmark, Landmarks::kMost));
 }
 
+// The answer of a search.
 struct TargetDistances {
   // One per target of the query, in the unit of the file; +infinity where no
   // path leads. As exact as those of Solve (solve.h); with a tolerance, the
