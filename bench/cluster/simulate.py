@@ -7,7 +7,7 @@ Questions come at random (Poisson); meshes are popular by Zipf's law. A replica
 answers from its cache of fields, or computes on a thread; where it lacks the mesh it
 first fetches it from a sibling. After two thirds of the time one replica dies. What is
 measured, and where, is said at each constant; the rest is a model, whose table
-docs/scaling.md explains.
+docs/operations.md explains.
 """
 
 import argparse
@@ -20,7 +20,7 @@ import random
 
 import rings
 
-# docs/performance.md, horse (96,966 faces, 48,485 vertices): a field on one thread,
+# docs/benchmarks.md, horse (96,966 faces, 48,485 vertices): a field on one thread,
 # and a cached one to a client at 1.5 GB/s.
 FIELD_SECONDS = 0.122
 CACHED_SECONDS = 0.0005

@@ -85,7 +85,7 @@ void WriteHead(std::ostream& out, const std::string& command) {
   std::strftime(date, sizeof(date), "%Y-%m-%d", std::gmtime(&now));
   const benchmark::CPUInfo& cpu = benchmark::CPUInfo::Get();
   out << "# Benchmarks\n\nWritten by `scripts/bench`; "
-         "[performance.md](performance.md) says what the figures mean.\n\n"
+         "docs/benchmarks.md says what the figures mean.\n\n"
       << "- " << date << ", " << CpuModel() << ", " << cpu.num_cpus
       << " processors, load "
       << Text(cpu.load_avg.empty() ? Value() : Value(cpu.load_avg[0]), "%.1f")

@@ -124,6 +124,7 @@ class Path(_Polyline):
 
     @functools.cached_property
     def unreached(self) -> Optional[str]:
+        """Why no path leads there; None if one does."""
         return None if len(self) else self._why()
 
     def __repr__(self) -> str:

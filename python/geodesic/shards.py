@@ -277,6 +277,7 @@ class ShardedMatrix:
 
     @property
     def dtype(self) -> np.dtype:
+        """float64 or float32."""
         return np.dtype(self.layout.dtype)
 
     def wrong(self) -> List[int]:

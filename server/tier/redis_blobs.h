@@ -11,7 +11,7 @@
 //
 // A value is believed only if every digest in it agrees. One that is wrong is
 // deleted, and counts as not there. Digests show damage, not malice: whoever
-// may write to Redis may say what distances are (docs/threat-model.md).
+// may write to Redis may say what distances are (docs/operations.md).
 //
 // The key is kRedisPrefix and the blob's name. The value:
 //   header    as in blob_format.h, with the kind "shared"

@@ -51,7 +51,7 @@ int main() {}
             blocks.extract("a\n```\nb")
 
     def test_all_that_is_left_out_is_there(self):
-        found = [command for name in ("README.md", "docs/python.md")
+        found = [command for name in ("README.md", "docs/guide.md", "docs/python.md")
                  for block in blocks.extract((ROOT / name).read_text())
                  if block.kind == "shell"
                  for _, command in blocks.commands(block.text)]

@@ -5,11 +5,6 @@ Each is named by how it begins. All others run, as do all other blocks.
 
 ALWAYS = {
     "./scripts/test": "it is what runs this; .ci/run runs it",
-    "./scripts/package": "scripts/checks/packages runs it",
-    "apt install ./build/package/": "scripts/checks/packages does, in a fresh Debian",
-    "docker compose": "no Docker engine; scripts/checks/image builds the image",
-    "buildah build": "scripts/checks/image builds the image",
-    "podman run": "scripts/checks/image runs it",
 }
 
 # By scripts/test, which installs nothing and has built all; scripts/checks/documents
@@ -17,7 +12,6 @@ ALWAYS = {
 ON_THIS_MACHINE = {
     "./scripts/python": "installs packages",
     "./scripts/demo": "installs packages",
-    "./scripts/build": "all is built",
     "apt-get install": "installs packages",
     "cmake -B build/core": "the core was built, tested and installed elsewhere",
     "cmake --build build/core": "as above",

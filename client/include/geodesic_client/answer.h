@@ -22,6 +22,7 @@ std::vector<std::string> AlgorithmNames();
 // fields, matrices, nearest members and pairs; docs/questions.md says which to
 // choose.
 std::vector<std::string> ApproximateAlgorithmNames();
+// Whether it is one of ApproximateAlgorithmNames().
 bool IsApproximate(std::string_view algorithm);
 
 // Parameters of approximate algorithms. A query sets those that its algorithm
@@ -61,6 +62,7 @@ struct SolveProgress {
   uint64_t windows_propagated = 0;
 };
 
+// Called now and then while the server computes.
 using SolveProgressCallback = std::function<void(const SolveProgress&)>;
 
 // Called with how many of the `total` rows, sources, or bytes to send are

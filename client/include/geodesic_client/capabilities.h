@@ -9,6 +9,7 @@
 
 namespace geodesic::client {
 
+// An algorithm that a server has.
 struct AlgorithmCapability {
   // As FieldQuery::algorithm spells it.
   std::string name;
@@ -50,6 +51,7 @@ struct ServerLimits {
   uint64_t decimated_memory_bytes = 0;
 };
 
+// What a server can do.
 struct Capabilities {
   std::string version;
   std::vector<AlgorithmCapability> algorithms;

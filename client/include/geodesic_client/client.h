@@ -143,10 +143,12 @@ class Client {
       const CallOptions& options = {},
       const SolveProgressCallback& progress = nullptr);
 
+  // Shortest paths from the nearest source to each target.
   absl::StatusOr<PathAnswer> ComputePaths(
       const PathQuery& query, const CallOptions& options = {},
       const SolveProgressCallback& progress = nullptr);
 
+  // Lines of equal distance.
   absl::StatusOr<IsolineAnswer> ComputeIsolines(
       const IsolineQuery& query, const CallOptions& options = {},
       const SolveProgressCallback& progress = nullptr);
@@ -156,6 +158,7 @@ class Client {
                                            const MatrixReceiver& receiver,
                                            const CallOptions& options = {});
 
+  // The targets that are nearest to each source.
   absl::StatusOr<NearestAnswer> FindNearest(
       const NearestQuery& query, const CallOptions& options = {},
       const CountProgressCallback& progress = nullptr);
@@ -173,10 +176,12 @@ class Client {
       const PairQuery& query, const CallOptions& options = {},
       const CountProgressCallback& progress = nullptr);
 
+  // Vertices, each the farthest from the sources and all before it.
   absl::StatusOr<SampleAnswer> SampleFarthestPoints(
       const SampleQuery& query, const CallOptions& options = {},
       const SolveProgressCallback& progress = nullptr);
 
+  // The surface around a point, laid into the plane.
   absl::StatusOr<LogMap> ComputeLogMap(
       const LogMapQuery& query, const CallOptions& options = {},
       const SolveProgressCallback& progress = nullptr);
@@ -190,6 +195,7 @@ class Client {
       const PreparationQuery& query, const CallOptions& options = {},
       const SolveProgressCallback& progress = nullptr);
 
+  // What the server can do and where its limits are.
   absl::StatusOr<Capabilities> GetCapabilities(const CallOptions& options = {});
 
  private:

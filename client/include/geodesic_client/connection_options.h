@@ -28,6 +28,7 @@ struct TlsOptions {
   std::string server_name;
 };
 
+// How to reach a server.
 struct ConnectionOptions {
   // DEFAULT: in clear.
   std::optional<TlsOptions> tls;

@@ -18,6 +18,7 @@
 
 namespace geodesic::client {
 
+// A question for the distances of all vertices.
 struct FieldQuery {
   // The mesh's digest, 64 hexadecimal digits.
   std::string mesh_digest;
@@ -73,6 +74,7 @@ struct FieldStatistics {
 // Stands for the source of a vertex that no path reaches.
 inline constexpr uint32_t kNoSource = 0xffffffffu;
 
+// Distances of all vertices, and what they are.
 struct Field {
   std::string mesh_digest;
   uint64_t vertex_count = 0;

@@ -37,6 +37,7 @@ std::string MeshDigest(const MeshArrays& mesh);
 // Whether `text` has the form of a mesh's name.
 bool IsMeshDigest(std::string_view text);
 
+// Formats of files that servers read.
 enum class MeshFormat { kObj, kPly, kOff, kStl, kVtk, kGltf, kVtp };
 
 // "obj", "ply", "off", "stl", "vtk", "gltf" or "vtp".

@@ -18,6 +18,7 @@
 
 namespace geodesic::client {
 
+// Two places whose distance is wanted.
 struct PointPair {
   SurfacePoint source;
   SurfacePoint target;
@@ -85,6 +86,7 @@ struct PairSummary {
   }
 };
 
+// The distances of all pairs.
 struct PairAnswer {
   PairSummary summary;
   std::vector<double> distances;  // one per pair

@@ -10,6 +10,7 @@
 
 namespace geodesic::client {
 
+// What is to be made ready for later questions.
 struct PreparationQuery {
   std::string mesh_digest;
   // One of ApproximateAlgorithmNames(). DEFAULT: empty, for the landmarks that
@@ -19,6 +20,7 @@ struct PreparationQuery {
   Priority priority = Priority::kInteractive;
 };
 
+// What was made ready.
 struct Preparation {
   AnswerInfo info;
   // It was there before; nothing was done.

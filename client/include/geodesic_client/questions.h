@@ -43,6 +43,7 @@ struct PathQuery {
   Priority priority = Priority::kInteractive;
 };
 
+// A shortest path from a source to a target.
 struct GeodesicPath {
   // Number of the source where the path starts; nothing if there is no path.
   std::optional<uint64_t> source;
@@ -55,6 +56,7 @@ struct GeodesicPath {
   Polyline line;
 };
 
+// The paths to all targets.
 struct PathAnswer {
   AnswerInfo info;
   std::vector<GeodesicPath> paths;  // one per target
@@ -76,6 +78,7 @@ struct IsolineQuery {
   Priority priority = Priority::kInteractive;
 };
 
+// A line on which the distance is the same everywhere.
 struct Isoline {
   double level = 0;
   // Whether the last point leads back to the first; open ones end at a
@@ -86,6 +89,7 @@ struct Isoline {
   Polyline line;
 };
 
+// The lines of all levels.
 struct IsolineAnswer {
   AnswerInfo info;
   // In order of level.
@@ -109,11 +113,13 @@ struct MatrixQuery {
   Priority priority = Priority::kInteractive;
 };
 
+// How many values a matrix has.
 struct MatrixShape {
   uint64_t rows = 0;
   uint64_t columns = 0;
 };
 
+// The distances from one source.
 struct MatrixRow {
   uint64_t row = 0;
   // The columns of `values`, ascending. Empty in a matrix that is not sparse:
@@ -152,6 +158,7 @@ struct NearestQuery {
   Priority priority = Priority::kInteractive;
 };
 
+// A member of the set, and how far it is.
 struct NearestTarget {
   // Its number in the query.
   uint64_t target = 0;
@@ -160,6 +167,7 @@ struct NearestTarget {
   friend bool operator==(const NearestTarget&, const NearestTarget&) = default;
 };
 
+// The nearest members for each source.
 struct NearestAnswer {
   AnswerInfo info;
   // For each source, its nearest targets ordered by distance and at a tie by
@@ -179,6 +187,7 @@ struct SampleQuery {
   Priority priority = Priority::kInteractive;
 };
 
+// A sample, and how far it is from those before it.
 struct FarthestSample {
   uint64_t vertex = 0;
   // Measured from the sources and all earlier samples; +infinity for the first
@@ -186,6 +195,7 @@ struct FarthestSample {
   double distance = 0;
 };
 
+// The samples, in order.
 struct SampleAnswer {
   AnswerInfo info;
   // Only vertices of faces are sampled. There are fewer than asked for if every
@@ -205,6 +215,7 @@ struct LogMapQuery {
   Priority priority = Priority::kInteractive;
 };
 
+// The map of a mesh around one of its points.
 struct LogMap {
   AnswerInfo info;
   // One per vertex: the distance times (cos, sin) of the angle at which the

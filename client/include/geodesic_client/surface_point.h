@@ -35,6 +35,7 @@ struct FacePoint {
   friend auto operator<=>(const FacePoint&, const FacePoint&) = default;
 };
 
+// A place on the surface.
 using SurfacePoint = std::variant<VertexPoint, EdgePoint, FacePoint>;
 
 // A polyline on the surface. Points that follow each other lie in a common

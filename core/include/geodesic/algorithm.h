@@ -37,12 +37,14 @@ namespace geodesic {
     "Chen-Han windows without a filter, first in first out: for comparison, " \
     "the slowest by far")
 
+// An exact algorithm.
 enum class Algorithm {
 #define GEODESIC_ENUMERATOR(id, ...) k##id,
   GEODESIC_ALGORITHMS(GEODESIC_ENUMERATOR)
 #undef GEODESIC_ENUMERATOR
 };
 
+// What is known of an algorithm; with_trimming names its MMP variant.
 struct AlgorithmInfo {
   Algorithm algorithm;
   std::string_view name;
@@ -50,6 +52,7 @@ struct AlgorithmInfo {
   std::string_view summary;
 };
 
+// All exact algorithms; the first is the default.
 inline constexpr auto kAlgorithms = std::to_array<AlgorithmInfo>({
 #define GEODESIC_INFO(id, name, rule, queue, with_trimming, summary) \
   {Algorithm::k##id, name, Algorithm::k##with_trimming, summary},
@@ -58,10 +61,12 @@ inline constexpr auto kAlgorithms = std::to_array<AlgorithmInfo>({
 });
 inline constexpr Algorithm kDefaultAlgorithm = kAlgorithms[0].algorithm;
 
+// Its name in command lines and messages.
 constexpr std::string_view AlgorithmName(Algorithm algorithm) {
   return kAlgorithms[static_cast<size_t>(algorithm)].name;
 }
 
+// The algorithm with MMP's rule and the same queue.
 constexpr Algorithm WithTrimming(Algorithm algorithm) {
   return kAlgorithms[static_cast<size_t>(algorithm)].with_trimming;
 }

@@ -33,6 +33,7 @@ struct Progress {
   double unit = 1;
 };
 
+// Asked by a computation whether to go on.
 class Checkpoint {
  public:
   virtual ~Checkpoint() = default;

@@ -31,6 +31,7 @@ struct SolveStatistics {
   double solve_seconds = 0;
 };
 
+// Stands for the pseudo-source of what is not reached.
 inline constexpr uint32_t kNoPseudoSource = 0xffffffffu;
 
 // How a shortest path arrives at a point: its last straight piece, which starts

@@ -15,6 +15,7 @@
 
 namespace geodesic {
 
+// Stands for the source of a vertex that no path reaches.
 inline constexpr uint32_t kNoSource = 0xffffffffu;
 
 // The number of the source whose path arrives at each vertex, which is the

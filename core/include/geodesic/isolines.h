@@ -25,8 +25,10 @@ struct IsolineOptions {
   double chord_error = 0;
 };
 
+// The chord error, as a part of the level, if none is named.
 inline constexpr double kChordErrorOfLevel = 1e-3;
 
+// A line on which the distance is the same everywhere.
 struct Isoline {
   double level = 0;
   // Points where the isoline crosses edges, vertices that it passes through,

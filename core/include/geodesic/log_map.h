@@ -16,6 +16,7 @@
 
 namespace geodesic {
 
+// The surface around a point, laid into the plane.
 struct LogMap {
   // One per vertex, in the unit of the file: the distance without the source's
   // offset, times (cos, sin) of the angle at which the shortest path leaves the

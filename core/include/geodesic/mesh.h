@@ -47,6 +47,7 @@ inline constexpr HalfEdge kNoHalfEdge = 0xffffffffu;
 using Exit = uint32_t;
 inline constexpr Exit kIrregularExit = 0x80000000u;
 
+// The half-edges of the same face after and before h.
 inline HalfEdge Next(HalfEdge h) { return h % 3 == 2 ? h - 2 : h + 1; }
 inline HalfEdge Prev(HalfEdge h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
@@ -66,6 +67,7 @@ static_assert(sizeof(HalfEdgeFrame) == 64);
 class Checkpoint;
 class ConeAngles;
 
+// See the head of this file.
 class Mesh {
  public:
   // Checks the soup and builds the connectivity. O(V + F log F) time.
@@ -177,6 +179,7 @@ class Mesh {
   bool IsCopy(HalfEdge h) const { return !copies_.empty() && copies_[h / 3]; }
   bool HasCopies() const { return !copies_.empty(); }
 
+  // The ends of h, the corner opposite, and its unfolded face.
   uint32_t From(HalfEdge h) const { return TriangleOf(h)[h % 3]; }
   uint32_t To(HalfEdge h) const { return From(Next(h)); }
   uint32_t Apex(HalfEdge h) const { return From(Prev(h)); }

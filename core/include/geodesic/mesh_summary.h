@@ -12,6 +12,7 @@
 
 namespace geodesic {
 
+// Figures of a mesh.
 struct MeshSummary {
   uint64_t vertices = 0;
   uint64_t faces = 0;

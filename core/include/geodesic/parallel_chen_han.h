@@ -22,6 +22,7 @@
 
 namespace geodesic {
 
+// Parameters of parallel Chen-Han.
 struct ParallelChenHanOptions {
   // How many threads share each level, in [1, kMostSolveThreads]; the calling
   // thread is one of them. The field is the same to the bit. DEFAULT: 1.

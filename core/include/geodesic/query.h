@@ -32,10 +32,12 @@ struct Source {
   friend auto operator<=>(const Source&, const Source&) = default;
 };
 
+// Whether the source is a curve, not a point.
 inline bool IsCurve(const Source& source) {
   return std::holds_alternative<Curve>(source.place);
 }
 
+// The range of tolerances other than 0.
 inline constexpr double kLeastTolerance = 1e-9;
 inline constexpr double kMostTolerance = 0.1;
 
@@ -61,6 +63,7 @@ struct Query {
   friend auto operator<=>(const Query&, const Query&) = default;
 };
 
+// Whether any source is a curve.
 inline bool HasCurves(const Query& query) {
   return std::ranges::any_of(query.sources, IsCurve);
 }

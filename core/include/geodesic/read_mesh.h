@@ -38,6 +38,7 @@
 
 namespace geodesic {
 
+// Formats of files.
 enum class MeshFormat {
   kObj,   // Wavefront OBJ: v and f statements; negative indices, a/b/c corners.
   kPly,   // Stanford PLY: ASCII, binary little endian, binary big endian.
@@ -59,6 +60,7 @@ absl::StatusOr<MeshFormat> MeshFormatFromPath(std::string_view path);
 
 class Checkpoint;
 
+// What a file may hold, and how it is read.
 struct ReadLimits {
   // DEFAULT: what 32-bit half-edge indices can address.
   uint64_t max_vertices = uint64_t{1} << 31;

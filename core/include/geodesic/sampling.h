@@ -14,6 +14,7 @@
 
 namespace geodesic {
 
+// A sample, and how far it is from those before it.
 struct FarthestSample {
   uint32_t vertex = 0;
   // Its distance from the sources and all earlier samples, in the unit of the

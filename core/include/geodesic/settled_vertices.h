@@ -12,6 +12,7 @@
 
 namespace geodesic {
 
+// A vertex whose distance is final.
 struct SettledVertex {
   uint32_t vertex = 0;
   double distance = 0;  // in the unit of the file; final

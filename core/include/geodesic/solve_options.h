@@ -7,6 +7,7 @@
 
 namespace geodesic {
 
+// How many threads may share a computation.
 inline constexpr uint32_t kMostSolveThreads = 256;
 
 // Parameters of FWP (Xu et al. 2015, Algorithm 1), and threads.

@@ -13,6 +13,7 @@
 
 namespace geodesic {
 
+// A vertex, numbered from 0.
 struct VertexPoint {
   uint32_t vertex = 0;
 
@@ -37,6 +38,7 @@ struct FacePoint {
   friend auto operator<=>(const FacePoint&, const FacePoint&) = default;
 };
 
+// A place on the surface.
 using SurfacePoint = std::variant<VertexPoint, EdgePoint, FacePoint>;
 
 // How far the sum of weights that a client sends may be from 1: three weights

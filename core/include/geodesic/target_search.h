@@ -34,7 +34,7 @@
 namespace geodesic {
 
 // A field costs about as much as so many searches directed at one target, on
-// meshes of 10^4 to 10^6 faces and pairs drawn at random (docs/performance.md,
+// meshes of 10^4 to 10^6 faces and pairs drawn at random (docs/benchmarks.md,
 // "Two places").
 inline constexpr size_t kFieldInSearches = 12;
 
@@ -54,6 +54,7 @@ constexpr uint32_t LandmarksWorth(size_t searches) {
       std::min<size_t>(searches / kSearchesPerLandmark, Landmarks::kMost));
 }
 
+// The answer of a search.
 struct TargetDistances {
   // One per target of the query, in the unit of the file; +infinity where no
   // path leads. As exact as those of Solve (solve.h); with a tolerance, the

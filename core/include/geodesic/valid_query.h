@@ -89,6 +89,7 @@ class ValidQuery {
   Asked asked_;
 };
 
+// A query with its sources in one fixed order.
 struct SortedQuery {
   ValidQuery query;
   // For each source of `query`, its number in the unsorted query. Of equal ones

@@ -116,7 +116,7 @@ bool IsTolerance(double tolerance) {
 }
 
 // So little is merged below this that an exact field takes less time, up to a
-// million faces and more (docs/performance.md).
+// million faces and more (docs/benchmarks.md).
 constexpr double kLeastMerged = 1e-5;
 
 // Only windows in the order of fwp-list are merged, and no trace leads back

@@ -23,6 +23,7 @@
 
 namespace geodesic {
 
+// Which vertex is next.
 enum class MarchingQueue {
   kHeap,    // fmm: always the nearest vertex next
   kUntidy,  // fmm-untidy: first in, first out within a bucket

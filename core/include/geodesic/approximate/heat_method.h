@@ -22,6 +22,7 @@
 
 namespace geodesic {
 
+// Parameters of the heat method.
 struct HeatOptions {
   // The time that heat spreads for is lambda h^2, with h the mean edge length.
   // More makes distances smoother; unequal edges want more (the paper's figure

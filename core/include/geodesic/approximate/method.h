@@ -29,18 +29,21 @@ namespace geodesic {
   X(Gtu, "gtu",                                                             \
     "Geodesic triangle unfolding: fields of samples, laid into the plane")
 
+// An approximate method.
 enum class ApproximateMethod {
 #define GEODESIC_ENUMERATOR(id, ...) k##id,
   GEODESIC_APPROXIMATE_METHODS(GEODESIC_ENUMERATOR)
 #undef GEODESIC_ENUMERATOR
 };
 
+// What is known of a method.
 struct ApproximateMethodInfo {
   ApproximateMethod method;
   std::string_view name;
   std::string_view summary;
 };
 
+// All approximate methods.
 inline constexpr auto kApproximateMethods =
     std::to_array<ApproximateMethodInfo>({
 #define GEODESIC_INFO(id, name, summary) \
@@ -49,6 +52,7 @@ inline constexpr auto kApproximateMethods =
 #undef GEODESIC_INFO
     });
 
+// Its name in command lines and messages.
 constexpr std::string_view ApproximateMethodName(ApproximateMethod method) {
   return kApproximateMethods[static_cast<size_t>(method)].name;
 }

@@ -37,6 +37,7 @@ class PreparedMethod {
  public:
   virtual ~PreparedMethod() = default;
 
+  // Which method it is.
   virtual ApproximateMethod method() const = 0;
 
   // The field of the query's sources. The query's algorithm plays no part, and
@@ -51,6 +52,7 @@ class PreparedMethod {
   // Bytes held beside the mesh.
   virtual uint64_t bytes() const = 0;
 
+  // The mesh that it was made of.
   const Mesh& mesh() const { return mesh_; }
 
  protected:

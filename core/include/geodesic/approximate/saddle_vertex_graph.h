@@ -33,6 +33,7 @@ enum class SaddleGraphBuilder {
   kIch,  // Chen-Han windows with the Xin-Wang filter in a heap: to compare
 };
 
+// Parameters of the graph.
 struct SaddleGraphOptions {
   // K: how many vertices around each vertex are looked at; those among them
   // that are reached without passing another vertex become arcs. More are

@@ -22,6 +22,7 @@
 
 namespace geodesic {
 
+// Parameters of the method.
 struct TriangleUnfoldingOptions {
   // m. Memory is 4 m^2 bytes and 24 a vertex, time m exact fields. In [1,
   // 20000]. DEFAULT: 200.
@@ -60,6 +61,7 @@ class TriangleUnfolding final : public PreparedMethod {
   // In the unit of the file. O(1). REQUIRES: the vertices are of the mesh.
   double Distance(uint32_t from, uint32_t to) const;
 
+  // How many samples there are.
   uint32_t sample_count() const { return sample_count_; }
 
  private:

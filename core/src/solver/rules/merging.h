@@ -1,5 +1,15 @@
 // Merging two neighbouring windows of a half-edge into one, which is never
 // farther than they are and covers what they cover (docs/algorithm.md, 22).
+//
+// [b, m] and [m, e] touch and agree at m. The merged origin gives the old
+// distances at b and e, so it lies on a hyperbola with these foci; the nearer
+// to the edge, the more its rays lean outward. Of the places whose rays at b
+// and e coincide with the old ones or lean outward, it takes the farthest.
+// Along the old ray that it keeps, the difference to that window is monotone;
+// to the other it has one extremum, and no room for a change of sign unless the
+// rays part at m. Such windows stay apart; so do those where directions would
+// be rounding (kLeastBeam). By how much it is nearer at most is found at m, or
+// where the line through both origins meets the edge.
 
 #ifndef GEODESIC_SOLVER_RULES_MERGING_H_
 #define GEODESIC_SOLVER_RULES_MERGING_H_

@@ -7,6 +7,20 @@
 // windows would be most of the time: so windows lie one by one, each in a cache
 // line of its own with the distances at its ends, and everything is done at
 // once, by one thread.
+//
+// Lower bounds hold: wherever a shortest path crosses an edge, some window is
+// no farther than the truth. Let that hold on one edge, from which a shortest
+// path goes straight to y on the next. The shortest way to y through the
+// windows' lower envelope is no longer. It does not cross where trimming
+// changes windows: there the slope falls, which is no minimum. Nor where
+// neighbours meet: they agree, and their rays coincide or converge. Nor in a
+// window that a filter dropped, which is longer everywhere. So it crosses
+// inside a window, along its own ray, and that window reaches y with no more
+// than the truth.
+//
+// Merged origins may lie anywhere, so the envelope splits windows where the
+// difference of two has its extremum. A merged window is never stale. Filters
+// compare windows with upper bounds.
 
 #ifndef GEODESIC_SOLVER_RULES_MERGING_RULE_H_
 #define GEODESIC_SOLVER_RULES_MERGING_RULE_H_
