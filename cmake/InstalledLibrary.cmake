@@ -1,7 +1,7 @@
 # geodesic_install_library(<core or client> TARGETS <target>... LIBS <flag>...
 #                          REQUIRES <pkg-config package>...)
 #
-# Installs a library with its headers (include/) and what finds it: its targets
+# Installs a library with its headers and those of types, and what finds it: its targets
 # in the CMake package `geodesic`, and a file of pkg-config that tells the
 # libraries behind it, since it is static.
 include(CMakePackageConfigHelpers)
@@ -13,8 +13,8 @@ function(geodesic_install_library component)
     PROPERTIES EXPORT_NAME ${component})
   install(TARGETS ${arg_TARGETS} EXPORT geodesic_${component}
     COMPONENT ${component})
-  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-    COMPONENT ${component})
+  install(DIRECTORY include/ ${PROJECT_SOURCE_DIR}/types/include/
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT ${component})
   install(EXPORT geodesic_${component} NAMESPACE geodesic::
     FILE geodesic_${component}Targets.cmake
     DESTINATION ${folder} COMPONENT ${component})

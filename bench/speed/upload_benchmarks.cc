@@ -31,31 +31,11 @@ std::string BytesOf(const std::string& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-server::UploadFormat UploadFormatOf(MeshFormat format) {
-  switch (format) {
-    case MeshFormat::kObj:
-      return server::UploadFormat::kObj;
-    case MeshFormat::kPly:
-      return server::UploadFormat::kPly;
-    case MeshFormat::kOff:
-      return server::UploadFormat::kOff;
-    case MeshFormat::kStl:
-      return server::UploadFormat::kStl;
-    case MeshFormat::kVtk:
-      return server::UploadFormat::kVtk;
-    case MeshFormat::kGltf:
-      return server::UploadFormat::kGltf;
-    case MeshFormat::kVtp:
-      return server::UploadFormat::kVtp;
-  }
-  return server::UploadFormat::kObj;
-}
-
 // From the first byte received to the mesh that queries find.
 bool Upload(server::QueryEngine& engine, std::string_view bytes,
             MeshFormat format) {
   auto upload = engine.meshes().StartUpload(
-      {.format = UploadFormatOf(format), .size_bytes = bytes.size()});
+      {.format = format, .size_bytes = bytes.size()});
   if (!upload.ok()) return false;
   for (size_t at = 0; at < bytes.size(); at += kChunk) {
     if (!(*upload)->Append(at, bytes.substr(at, kChunk)).ok()) return false;

@@ -13,7 +13,7 @@
 #include "client/output/binary_numbers.h"
 #include "client/output/output_format.h"
 #include "geodesic_client/questions.h"
-#include "geodesic_client/surface_point.h"
+#include "geodesic_types/places.h"
 
 namespace geodesic::client {
 

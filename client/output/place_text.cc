@@ -17,6 +17,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct PlaceText {
+  std::string operator()(const SurfacePoint& point) const {
+    return std::visit(*this, point);
+  }
   std::string operator()(const VertexPoint& point) const {
     return NumberText(point.vertex);
   }
@@ -39,6 +42,9 @@ struct PlaceText {
 };
 
 struct PlaceJson {
+  Json operator()(const SurfacePoint& point) const {
+    return std::visit(*this, point);
+  }
   Json operator()(const VertexPoint& point) const {
     return {{"vertex", point.vertex}};
   }
@@ -103,7 +109,7 @@ std::string_view Trimmed(std::string_view text) {
 // The functions below return what is wrong with the text, or an empty string.
 
 std::string ParseIndex(std::string_view text, const char* what,
-                       uint64_t* number) {
+                       uint32_t* number) {
   return ParseNumber(text, number)
              ? ""
              : absl::StrCat(Quoted(text), " is not a ", what, "'s number");

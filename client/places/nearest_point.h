@@ -6,7 +6,7 @@
 #include "absl/status/statusor.h"
 #include "client/places/written_place.h"
 #include "geodesic_client/mesh.h"
-#include "geodesic_client/surface_point.h"
+#include "geodesic_types/places.h"
 
 namespace geodesic::client {
 

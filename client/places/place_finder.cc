@@ -40,8 +40,7 @@ absl::StatusOr<Source> PlaceFinder::Find(const WrittenSource& source) {
   if (source.is_curve) {
     found.place = std::move(curve);
   } else {
-    std::visit([&found](const auto& place) { found.place = place; },
-               curve.points.at(0));
+    found.place = curve.points.at(0);
   }
   return found;
 }

@@ -11,7 +11,7 @@
 #include "client/places/written_place.h"
 #include "geodesic_client/mesh.h"
 #include "geodesic_client/pairs.h"
-#include "geodesic_client/surface_point.h"
+#include "geodesic_types/places.h"
 
 namespace geodesic::client {
 

@@ -39,17 +39,8 @@ Reach::Reach(const MeshArrays& mesh, std::span<const Source> sources)
     all_are_isolated_ &= IsIsolated(first_source_);
     is_reached_[components_[first_source_]] = true;
   };
-  for (const Source& source : sources) {
-    std::visit(
-        [&enter](const auto& place) {
-          if constexpr (std::is_same_v<decltype(place), const Curve&>) {
-            enter(place.points.at(0));  // the rest is in the same component
-          } else {
-            enter(place);
-          }
-        },
-        source.place);
-  }
+  // The rest of a curve is in the same component.
+  for (const Source& source : sources) enter(FirstPoint(source));
 }
 
 bool Reach::IsIsolated(uint64_t vertex) const {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "geodesic_client/mesh.h"
-#include "geodesic_client/surface_point.h"
+#include "geodesic_types/places.h"
 
 namespace geodesic::client {
 

@@ -55,8 +55,11 @@ absl::Status PolylineAssembler::Consume(const v1::PolylinePiece& piece,
         " of a line of ", piece.point_count(), " after ", had, " of them"));
   }
   for (const v1::SurfacePoint& message : piece.points()) {
-    absl::StatusOr<SurfacePoint> point = FromProto(message);
-    if (!point.ok()) return point.status();
+    absl::StatusOr<SurfacePoint> point = codec::FromProto(message, "points");
+    if (!point.ok()) {
+      return absl::DataLossError(absl::StrCat(
+          "the server sent a point that is none: ", point.status().message()));
+    }
     line->points.push_back(*std::move(point));
   }
   AppendElements(piece.positions(), &line->positions);

@@ -49,43 +49,6 @@ std::vector<std::string> NamesOf(bool are_approximate) {
   return names;
 }
 
-std::optional<uint32_t> ShortNumber(const VertexPoint& point) {
-  if (point.vertex > std::numeric_limits<uint32_t>::max()) return std::nullopt;
-  return static_cast<uint32_t>(point.vertex);
-}
-
-// Puts a place into a v1::SurfacePoint or a v1::Source, whose fields have the
-// same names.
-template <typename Message>
-class PlaceSetter {
- public:
-  explicit PlaceSetter(Message* message) : message_(message) {}
-
-  void operator()(const VertexPoint& point) const {
-    message_->set_vertex(point.vertex);
-  }
-  void operator()(const EdgePoint& point) const {
-    v1::EdgePoint* edge = message_->mutable_edge();
-    edge->set_from(point.from);
-    edge->set_to(point.to);
-    edge->set_t(point.t);
-  }
-  void operator()(const FacePoint& point) const {
-    v1::FacePoint* face = message_->mutable_face();
-    face->set_face(point.face);
-    face->mutable_weights()->Add(point.weights.begin(), point.weights.end());
-  }
-  void operator()(const Curve& curve) const {
-    v1::Curve* line = message_->mutable_curve();
-    for (const SurfacePoint& point : curve.points) {
-      *line->add_points() = ToProto(point);
-    }
-  }
-
- private:
-  Message* message_;
-};
-
 }  // namespace
 
 Point FromProto(const v1::Point& point) {
@@ -217,50 +180,6 @@ SolveProgress FromProto(const v1::SolveProgress& progress,
           .windows_propagated = progress.windows_propagated()};
 }
 
-absl::StatusOr<SurfacePoint> FromProto(const v1::SurfacePoint& point) {
-  switch (point.place_case()) {
-    case v1::SurfacePoint::kVertex:
-      return VertexPoint{point.vertex()};
-    case v1::SurfacePoint::kEdge:
-      return EdgePoint{point.edge().from(), point.edge().to(),
-                       point.edge().t()};
-    case v1::SurfacePoint::kFace: {
-      FacePoint face{.face = point.face().face()};
-      if (point.face().weights_size() != 3) break;
-      std::ranges::copy(point.face().weights(), face.weights.begin());
-      return face;
-    }
-    case v1::SurfacePoint::PLACE_NOT_SET:
-      break;
-  }
-  return absl::DataLossError(
-      "the server sent a point that is at no vertex, on no edge and in no "
-      "face");
-}
-
-v1::SurfacePoint ToProto(const SurfacePoint& point) {
-  v1::SurfacePoint message;
-  std::visit(PlaceSetter(&message), point);
-  return message;
-}
-
-v1::Source ToProto(const Source& source) {
-  v1::Source message;
-  std::visit(PlaceSetter(&message), source.place);
-  message.set_offset(source.offset);
-  return message;
-}
-
-std::optional<uint32_t> ShortVertex(const SurfacePoint& point) {
-  const auto* at = std::get_if<VertexPoint>(&point);
-  return at != nullptr ? ShortNumber(*at) : std::nullopt;
-}
-
-std::optional<uint32_t> ShortVertex(const Source& source) {
-  const auto* at = std::get_if<VertexPoint>(&source.place);
-  return at != nullptr && source.offset == 0 ? ShortNumber(*at) : std::nullopt;
-}
-
 v1::Approximation ToProto(const Approximation& approximation) {
   v1::Approximation message;
   if (approximation.neighbours.has_value()) {
@@ -283,14 +202,6 @@ v1::Priority ToProto(Priority priority) {
 v1::ValueType ToProto(ValueType type) {
   return type == ValueType::kFloat32 ? v1::VALUE_TYPE_FLOAT32
                                      : v1::VALUE_TYPE_FLOAT64;
-}
-
-v1::MeshFormat ToProto(MeshFormat format) {
-  constexpr std::array kFormats = {v1::MESH_FORMAT_OBJ, v1::MESH_FORMAT_PLY,
-                                   v1::MESH_FORMAT_OFF, v1::MESH_FORMAT_STL,
-                                   v1::MESH_FORMAT_VTK, v1::MESH_FORMAT_GLTF,
-                                   v1::MESH_FORMAT_VTP};
-  return kFormats.at(static_cast<size_t>(format));
 }
 
 std::string AlgorithmName(v1::Algorithm algorithm) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "codec/places.h"
 #include "geodesic/v1/capabilities_service.pb.h"
 #include "geodesic/v1/field_service.pb.h"
 #include "geodesic/v1/mesh.pb.h"
@@ -21,7 +22,7 @@
 #include "geodesic_client/capabilities.h"
 #include "geodesic_client/field.h"
 #include "geodesic_client/mesh.h"
-#include "geodesic_client/surface_point.h"
+#include "geodesic_types/places.h"
 
 namespace geodesic::client {
 
@@ -34,16 +35,9 @@ Capabilities FromProto(const v1::GetCapabilitiesResponse& response);
 // `vertex_count` comes from the answer's header.
 SolveProgress FromProto(const v1::SolveProgress& progress,
                         uint64_t vertex_count);
-// Errors: DATA_LOSS if no point is set, or if there are not three weights.
-absl::StatusOr<SurfacePoint> FromProto(const v1::SurfacePoint& point);
-
-v1::SurfacePoint ToProto(const SurfacePoint& point);
-v1::Source ToProto(const Source& source);
 v1::Approximation ToProto(const Approximation& approximation);
 v1::ValueType ToProto(ValueType type);
 v1::Priority ToProto(Priority priority);
-
-v1::MeshFormat ToProto(MeshFormat format);
 
 // "fwp-ch" for ALGORITHM_FWP_CH. The name follows from the protocol's name.
 std::string AlgorithmName(v1::Algorithm algorithm);
@@ -52,20 +46,18 @@ std::string AlgorithmName(v1::Algorithm algorithm);
 // Errors: INVALID_ARGUMENT naming `name` and the known names.
 absl::StatusOr<v1::Algorithm> AlgorithmFromName(std::string_view name);
 
-// The number of a point, or of a source without an offset, that is a vertex of
-// 32 bits; nothing for others.
-std::optional<uint32_t> ShortVertex(const SurfacePoint& point);
-std::optional<uint32_t> ShortVertex(const Source& source);
+inline bool HasOffset(const SurfacePoint&) { return false; }
+inline bool HasOffset(const Source& source) { return source.offset != 0; }
 
-// The numbers of places, if each has one; empty otherwise.
+// The numbers of places, if each is a vertex and nothing else; empty otherwise.
 template <typename Place>
 std::vector<uint32_t> PackedVertices(std::span<const Place> places) {
   std::vector<uint32_t> vertices;
   vertices.reserve(places.size());
   for (const Place& place : places) {
-    const std::optional<uint32_t> vertex = ShortVertex(place);
-    if (!vertex.has_value()) return {};
-    vertices.push_back(*vertex);
+    const VertexPoint* const vertex = AsVertex(place);
+    if (vertex == nullptr || HasOffset(place)) return {};
+    vertices.push_back(vertex->vertex);
   }
   return vertices;
 }
@@ -77,7 +69,7 @@ void AddTargets(std::span<const SurfacePoint> targets, Request& request) {
   request.mutable_vertex_targets()->Add(vertices.begin(), vertices.end());
   if (!vertices.empty()) return;
   for (const SurfacePoint& target : targets) {
-    *request.add_targets() = ToProto(target);
+    *request.add_targets() = codec::ToProto(target);
   }
 }
 
@@ -90,7 +82,7 @@ void AddSources(std::span<const Source> sources, Request& request) {
     if (!vertices.empty()) return;
   }
   for (const Source& source : sources) {
-    *request.add_sources() = ToProto(source);
+    *request.add_sources() = codec::ToProto(source);
   }
 }
 

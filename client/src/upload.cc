@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "codec/mesh_format.h"
 #include "connection.h"
 #include "digest/sha256.h"
 #include "rpc_status.h"
@@ -151,7 +152,7 @@ absl::StatusOr<std::optional<std::string>> FindMeshOf(
     const Welding& welding, const CallOptions& options) {
   v1::FindMissingMeshesRequest request;
   v1::FileDigest* asked = request.add_files();
-  asked->set_format(ToProto(format));
+  asked->set_format(codec::ToProto(format));
   asked->set_sha256(sha256);
   SetWelding(welding, asked);
   v1::FindMissingMeshesResponse response;
@@ -196,7 +197,7 @@ absl::StatusOr<UploadOutcome> Client::UploadFile(
   }
 
   v1::UploadHeader header;
-  header.set_format(ToProto(format));
+  header.set_format(codec::ToProto(format));
   header.set_size_bytes(file->size());
   SetWelding(welding, &header);
   uint64_t left = 0;

@@ -91,8 +91,9 @@ v1::GetCapabilitiesResponse MakeCapabilities(const Limits& limits,
     algorithm.set_name(info.name.data(), info.name.size());
     algorithm.set_summary(info.summary.data(), info.summary.size());
   }
-  for (const auto& [format, proto] : kMeshFormats) {
-    capabilities.add_formats(proto);
+  capabilities.add_formats(v1::MESH_FORMAT_ARRAYS);
+  for (const MeshFormatInfo& info : kMeshFormats) {
+    capabilities.add_formats(ToProto(info.format));
   }
   v1::Limits& published = *capabilities.mutable_limits();
   published.set_max_upload_bytes(limits.max_upload_bytes);

@@ -43,22 +43,6 @@ TEST(MeshDigestTest, HasTheFormOfADigest) {
   EXPECT_TRUE(IsMeshDigest(std::string(64, 'a')));
 }
 
-TEST(MeshFormatTest, FollowsFromTheEnding) {
-  EXPECT_EQ(*MeshFormatFromPath("a.obj"), MeshFormat::kObj);
-  EXPECT_EQ(*MeshFormatFromPath("/a.off/b.PLY"), MeshFormat::kPly);
-  EXPECT_EQ(*MeshFormatFromPath("./x.y.off"), MeshFormat::kOff);
-  EXPECT_EQ(*MeshFormatFromPath("A.Stl"), MeshFormat::kStl);
-}
-
-TEST(MeshFormatTest, OtherEndingsAreRefusedByName) {
-  for (const char* path : {"", "obj", "a.obj/b", "a.fbx", "a.obj.", "a.ob"}) {
-    absl::Status status = MeshFormatFromPath(path).status();
-    EXPECT_TRUE(absl::IsInvalidArgument(status)) << path;
-    EXPECT_NE(status.message().find(path), absl::string_view::npos);
-    EXPECT_NE(status.message().find(".ply"), absl::string_view::npos);
-  }
-}
-
 TEST(AlgorithmNamesTest, AreThoseOfTheProtocol) {
   EXPECT_EQ(AlgorithmNames(),
             (std::vector<std::string>{"fwp-ch", "fwp-mmp", "ich", "mmp", "ch",

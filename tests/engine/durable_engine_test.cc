@@ -79,7 +79,7 @@ TEST_F(DurableEngineTest, NothingKnownIsAskedForAgain) {
   ASSERT_TRUE(Upload(soup).ok());
   ASSERT_TRUE(Upload(test::TetrahedronOffHeader(), test::kTetrahedronOff).ok());
   Restart();
-  const FileKey file = {UploadFormat::kOff, Sha256Hex(test::kTetrahedronOff)};
+  const FileKey file = {MeshFormat::kOff, Sha256Hex(test::kTetrahedronOff)};
   const auto missing = engine_->meshes().FindMissing({DigestOf(soup)}, {file});
   ASSERT_TRUE(missing.ok());
   EXPECT_THAT(missing->mesh_digests, IsEmpty());

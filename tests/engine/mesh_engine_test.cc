@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "digest/sha256.h"
-#include "geodesic/field_path.h"
+#include "geodesic_types/field_path.h"
 #include "server/engine/meshes/mesh_digest.h"
 #include "tests/engine/engine_fixture.h"
 #include "tests/support/curved_meshes.h"
@@ -67,7 +67,7 @@ TEST_F(MeshEngineTest, EqualBytesOfArraysMayBeOtherMeshes) {
   EXPECT_TRUE(absl::IsInvalidArgument(Upload(header, bytes).status()));
 
   // Nor are they a file that could be asked for.
-  const FileKey file = {UploadFormat::kArrays, Sha256Hex(bytes)};
+  const FileKey file = {kArrays, Sha256Hex(bytes)};
   EXPECT_THAT(engine_.meshes().FindMissing({}, {file})->files,
               ElementsAre(file));
 }
@@ -105,8 +105,8 @@ TEST_F(MeshEngineTest, ARefusedMeshLeavesNothingBehind) {
 TEST_F(MeshEngineTest, FindMissingTellsWhatToUpload) {
   const std::string digest = Upload(test::Tetrahedron())->mesh.digest;
   ASSERT_TRUE(Upload(test::TetrahedronOffHeader(), test::kTetrahedronOff).ok());
-  const FileKey known = {UploadFormat::kOff, Sha256Hex(test::kTetrahedronOff)};
-  const FileKey unknown = {UploadFormat::kOff, Sha256Hex("something else")};
+  const FileKey known = {MeshFormat::kOff, Sha256Hex(test::kTetrahedronOff)};
+  const FileKey unknown = {MeshFormat::kOff, Sha256Hex("something else")};
   const std::string other(64, '0');
 
   const auto missing =
@@ -125,7 +125,7 @@ TEST_F(MeshEngineTest, FindMissingChecksItsArguments) {
       engine_.meshes().FindMissing({good, "x"}, {}).status();
   EXPECT_EQ(FieldPathOf(digest), "mesh_digests[1]");
   const absl::Status file =
-      engine_.meshes().FindMissing({}, {{UploadFormat::kObj, "X"}}).status();
+      engine_.meshes().FindMissing({}, {{MeshFormat::kObj, "X"}}).status();
   EXPECT_EQ(FieldPathOf(file), "files[0].sha256");
   EXPECT_TRUE(engine_.meshes()
                   .FindMissing(std::vector<std::string>(1000, good), {})

@@ -26,7 +26,7 @@ MeshHandle Put(MeshStore& store, const ResidentMesh& mesh) {
   return store.Insert(mesh, *store.Reserve(4, 4)).value;
 }
 
-FileKey File(char name) { return {UploadFormat::kObj, std::string(64, name)}; }
+FileKey File(char name) { return {MeshFormat::kObj, std::string(64, name)}; }
 
 TEST(MeshStore, ChargesWhatTheMeshTakes) {
   MeshStore store(kRoom);
@@ -45,7 +45,7 @@ TEST(MeshStore, FilesGoWithTheirMesh) {
   EXPECT_EQ(store.FindFile(File('b')), mesh->digest);
   EXPECT_EQ(store.FindFile(File('c')), std::nullopt);
   // The same bytes in another format are another file.
-  EXPECT_EQ(store.FindFile({UploadFormat::kStl, File('a').sha256, {}}),
+  EXPECT_EQ(store.FindFile({MeshFormat::kStl, File('a').sha256, {}}),
             std::nullopt);
   EXPECT_TRUE(store.Erase(mesh->digest).ok());
   EXPECT_EQ(store.FindFile(File('a')), std::nullopt);

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "geodesic/field_path.h"
+#include "geodesic_types/field_path.h"
 #include "tests/core/readers/vtp_writer.h"
 #include "tests/engine/uploads.h"
 #include "tests/support/curved_meshes.h"
@@ -33,7 +33,7 @@ class MeshUploadTest : public ::testing::Test {
 
   std::unique_ptr<MeshUpload> Received(const std::string& off_file) {
     auto upload =
-        *Start({.format = UploadFormat::kOff, .size_bytes = off_file.size()});
+        *Start({.format = MeshFormat::kOff, .size_bytes = off_file.size()});
     EXPECT_TRUE(upload->Append(0, off_file).ok());
     EXPECT_TRUE(upload->Finish().ok());
     return upload;
@@ -86,20 +86,19 @@ TEST_F(MeshUploadTest, ArraysArriveUnchanged) {
 
 TEST_F(MeshUploadTest, BadHeadersAreRefused) {
   using enum absl::StatusCode;
-  ExpectRefused({.format = UploadFormat::kObj}, kInvalidArgument,
+  ExpectRefused({.format = MeshFormat::kObj}, kInvalidArgument,
                 "header.size_bytes", "empty");
-  ExpectRefused({.format = UploadFormat::kObj, .size_bytes = (1 << 20) + 1},
+  ExpectRefused({.format = MeshFormat::kObj, .size_bytes = (1 << 20) + 1},
                 kResourceExhausted, "", "max_upload_bytes");
-  ExpectRefused({.format = UploadFormat::kObj,
+  ExpectRefused({.format = MeshFormat::kObj,
                  .size_bytes = 10,
                  .expected_digest = "short"},
                 kInvalidArgument, "header.expected_digest", "64");
   ExpectRefused(
-      {.format = UploadFormat::kObj, .size_bytes = 10, .vertex_count = 3},
+      {.format = MeshFormat::kObj, .size_bytes = 10, .vertex_count = 3},
       kInvalidArgument, "header.vertex_count", "arrays");
-  ExpectRefused(
-      {.format = UploadFormat::kObj, .size_bytes = 10, .face_count = 3},
-      kInvalidArgument, "header.face_count", "arrays");
+  ExpectRefused({.format = MeshFormat::kObj, .size_bytes = 10, .face_count = 3},
+                kInvalidArgument, "header.face_count", "arrays");
 }
 
 TEST_F(MeshUploadTest, CountsOfArraysAreChecked) {
@@ -118,7 +117,7 @@ TEST_F(MeshUploadTest, CountsOfArraysAreChecked) {
 }
 
 TEST_F(MeshUploadTest, ChunksMustFollowEachOther) {
-  auto upload = *Start({.format = UploadFormat::kObj, .size_bytes = 10});
+  auto upload = *Start({.format = MeshFormat::kObj, .size_bytes = 10});
   ASSERT_TRUE(upload->Append(0, "abc").ok());
   for (const uint64_t offset : {0, 2, 4}) {
     const absl::Status status = upload->Append(offset, "d");
@@ -130,7 +129,7 @@ TEST_F(MeshUploadTest, ChunksMustFollowEachOther) {
 }
 
 TEST_F(MeshUploadTest, NoMoreNorLessThanAnnounced) {
-  auto upload = *Start({.format = UploadFormat::kObj, .size_bytes = 4});
+  auto upload = *Start({.format = MeshFormat::kObj, .size_bytes = 4});
   ASSERT_TRUE(upload->Append(0, "abc").ok());
   const absl::Status more = upload->Append(3, "de");
   EXPECT_TRUE(absl::IsInvalidArgument(more));
@@ -146,7 +145,7 @@ TEST_F(MeshUploadTest, NoMoreNorLessThanAnnounced) {
 TEST_F(MeshUploadTest, AHeaderTakesNoMemory) {
   limits_.max_upload_bytes = uint64_t{1} << 40;
   auto upload =
-      *Start({.format = UploadFormat::kObj, .size_bytes = uint64_t{1} << 40});
+      *Start({.format = MeshFormat::kObj, .size_bytes = uint64_t{1} << 40});
   EXPECT_EQ(memory_->used(), 0);
   ASSERT_TRUE(upload->Append(0, "v").ok());
   EXPECT_LE(memory_->used(), 2 << 20);
@@ -155,7 +154,7 @@ TEST_F(MeshUploadTest, AHeaderTakesNoMemory) {
 TEST_F(MeshUploadTest, BytesStayWithinTheBudget) {
   limits_.max_upload_bytes = uint64_t{1} << 30;
   auto upload =
-      *Start({.format = UploadFormat::kObj, .size_bytes = uint64_t{1} << 30});
+      *Start({.format = MeshFormat::kObj, .size_bytes = uint64_t{1} << 30});
   const std::string chunk(1 << 20, '#');
   absl::Status status;
   uint64_t sent = 0;
@@ -173,8 +172,7 @@ TEST_F(MeshUploadTest, ParsingIsPaidForInAdvance) {
   const std::string bytes(1 << 20, '\n');
   auto tight = std::make_shared<ByteBudget>("upload memory", 2 << 20);
   auto upload = *MeshUpload::Start(
-      {.format = UploadFormat::kObj, .size_bytes = bytes.size()}, limits_,
-      tight);
+      {.format = MeshFormat::kObj, .size_bytes = bytes.size()}, limits_, tight);
   ASSERT_TRUE(upload->Append(0, bytes).ok());
   ASSERT_TRUE(upload->Finish().ok());
   EXPECT_TRUE(absl::IsResourceExhausted(upload->ReserveForParse()));
@@ -237,8 +235,7 @@ TEST_F(MeshUploadTest, AVtpMayHoldMuchMoreThanItsBytes) {
                                  .is_compressed = true,
                                  .block_bytes = 1 << 15})
           .Write({{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {polygon}}});
-  auto upload =
-      *Start({.format = UploadFormat::kVtp, .size_bytes = file.size()});
+  auto upload = *Start({.format = MeshFormat::kVtp, .size_bytes = file.size()});
   ASSERT_TRUE(upload->Append(0, file).ok());
   ASSERT_TRUE(upload->Finish().ok());
   const auto parsed = TryToParse(*upload);

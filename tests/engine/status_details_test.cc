@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "absl/strings/str_cat.h"
-#include "geodesic/field_path.h"
+#include "geodesic_types/field_path.h"
 #include "tests/support/temporary_folder.h"
 
 namespace geodesic::server {

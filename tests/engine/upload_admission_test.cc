@@ -26,7 +26,7 @@ TriangleSoup Grid(uint32_t columns) {
 }
 
 UploadHeader OffHeader(std::string_view file) {
-  return {.format = UploadFormat::kOff, .size_bytes = file.size()};
+  return {.format = MeshFormat::kOff, .size_bytes = file.size()};
 }
 
 // Two threads, and room in memory for one mesh, which is there.
@@ -112,7 +112,7 @@ class WaitingUploadTest : public UploadAdmissionTest,
     const std::string file = test::OffFile(soup);
     Beside([&] {
       const UploadJobs::Ticket job =
-          GetParam() == UploadFormat::kArrays
+          GetParam() == kArrays
               ? Finish(
                     Received(test::ArrayHeader(soup), test::ArrayBytes(soup)),
                     result_)
@@ -147,8 +147,7 @@ TEST_P(WaitingUploadTest, WhoeverLeavesMeanwhileLeavesNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, WaitingUploadTest,
-                         ::testing::Values(UploadFormat::kArrays,
-                                           UploadFormat::kOff));
+                         ::testing::Values(kArrays, MeshFormat::kOff));
 
 class CancelledUploadTest : public test::EngineTest,
                             public ::testing::WithParamInterface<UploadFormat> {
@@ -158,7 +157,7 @@ class CancelledUploadTest : public test::EngineTest,
   // until it has ended.
   bool CancelAtLook(int number) {
     const TriangleSoup soup = Grid(12);
-    const bool is_file = GetParam() == UploadFormat::kOff;
+    const bool is_file = GetParam() == MeshFormat::kOff;
     const std::string bytes =
         is_file ? test::OffFile(soup) : test::ArrayBytes(soup);
     auto upload = *engine_.meshes().StartUpload(
@@ -197,8 +196,7 @@ TEST_P(CancelledUploadTest, IsNotBuilt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, CancelledUploadTest,
-                         ::testing::Values(UploadFormat::kArrays,
-                                           UploadFormat::kOff));
+                         ::testing::Values(kArrays, MeshFormat::kOff));
 
 TEST_F(UploadAdmissionTest, AnUploadWaitsForTheMemoryThatAWaitingJobHolds) {
   FieldRequest request{.mesh_digest = resident_};
@@ -256,7 +254,7 @@ TEST_F(UploadMemoryTest, WhatItsFileCanNeverBeParsedInIsRefusedAtItsHeader) {
        {std::pair(capacity / 4, true), std::pair(capacity / 4 + 1, false)}) {
     const absl::Status status =
         engine_.meshes()
-            .StartUpload({.format = UploadFormat::kObj, .size_bytes = size})
+            .StartUpload({.format = MeshFormat::kObj, .size_bytes = size})
             .status();
     EXPECT_EQ(status.ok(), fits) << status;
     if (fits) continue;

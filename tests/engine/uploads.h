@@ -21,7 +21,7 @@ inline std::string ArrayBytes(const TriangleSoup& soup) {
 }
 
 inline UploadHeader ArrayHeader(const TriangleSoup& soup) {
-  return {.format = UploadFormat::kArrays,
+  return {.format = kArrays,
           .size_bytes = ArrayBytes(soup).size(),
           .vertex_count = soup.positions.size(),
           .face_count = soup.triangles.size()};
@@ -51,7 +51,7 @@ inline TriangleSoup Tetrahedron() {
 }
 
 inline UploadHeader TetrahedronOffHeader() {
-  return {.format = UploadFormat::kOff,
+  return {.format = MeshFormat::kOff,
           .size_bytes = sizeof(kTetrahedronOff) - 1};
 }
 

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <string>
 
-#include "geodesic/field_path.h"
+#include "geodesic_types/field_path.h"
 #include "server/engine/base/argument_checks.h"
 #include "server/engine/base/status_details.h"
 #include "server/rpc/messages/grpc_status.h"

@@ -22,6 +22,7 @@
 #include "client/places/written_place.h"
 #include "geodesic_client/answer.h"
 #include "geodesic_client/mesh.h"
+#include "geodesic_types/mesh_format.h"
 
 // Declared here because CLI11's header takes seconds to compile.
 namespace CLI {

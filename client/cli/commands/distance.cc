@@ -256,9 +256,7 @@ class Destination {
  private:
   // REQUIRES: unreached_.
   std::string WhyUnreached(const PairSummary& summary) const {
-    Source source;
-    std::visit([&source](const auto& place) { source.place = place; },
-               unreached_->source);
+    const Source source = {unreached_->source};
     constexpr double kUnreached = std::numeric_limits<double>::infinity();
     return client::WhyUnreached(session_, summary.info.mesh_digest,
                                 {&source, 1}, {&unreached_->target, 1},

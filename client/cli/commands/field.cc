@@ -269,8 +269,7 @@ std::vector<Point> SourcePoints(const Question& question,
   ShowSources(question.sources, mesh, &content);
   const bool only_points =
       std::ranges::all_of(question.sources, [](const Source& source) {
-        return source.offset == 0 &&
-               !std::holds_alternative<Curve>(source.place);
+        return source.offset == 0 && !IsCurve(source);
       });
   return only_points ? content.sources : std::vector<Point>();
 }

@@ -88,13 +88,7 @@ absl::Status Answer(const QuestionArguments& arguments, const Session& session,
                     const Question& question) {
   auto query = MakeQuery<LogMapQuery>(arguments, question);
   // The command line takes no curve.
-  std::visit(
-      [&query](const auto& place) {
-        if constexpr (!std::is_same_v<decltype(place), const Curve&>) {
-          query.source = place;
-        }
-      },
-      question.sources.at(0).place);
+  query.source = FirstPoint(question.sources.at(0));
   Stopwatch watch(session);
   absl::StatusOr<LogMap> map =
       session.client.ComputeLogMap(query, session.call, watch.OnSolve());

@@ -14,13 +14,8 @@ namespace {
 
 // The vertex that a source is, or that its curve begins at. Neither edges nor
 // faces are without one.
-std::optional<uint64_t> VertexOf(const Source& source) {
-  if (const auto* at = std::get_if<VertexPoint>(&source.place)) {
-    return at->vertex;
-  }
-  const auto* curve = std::get_if<Curve>(&source.place);
-  if (curve == nullptr || curve->points.empty()) return std::nullopt;
-  const auto* first = std::get_if<VertexPoint>(&curve->points[0]);
+std::optional<uint32_t> VertexOf(const Source& source) {
+  const VertexPoint* const first = AsVertex(FirstPoint(source));
   return first == nullptr ? std::nullopt : std::optional(first->vertex);
 }
 

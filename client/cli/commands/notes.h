@@ -11,7 +11,7 @@
 
 #include "absl/status/statusor.h"
 #include "client/cli/commands/command.h"
-#include "geodesic_client/surface_point.h"
+#include "geodesic_types/places.h"
 
 namespace geodesic::client {
 

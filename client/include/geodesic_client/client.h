@@ -32,6 +32,7 @@
 #include "geodesic_client/pairs.h"
 #include "geodesic_client/preparation.h"
 #include "geodesic_client/questions.h"
+#include "geodesic_types/mesh_format.h"
 
 namespace geodesic::client {
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "geodesic_client/answer.h"
-#include "geodesic_client/surface_point.h"
+#include "geodesic_types/places.h"
 
 namespace geodesic::client {
 

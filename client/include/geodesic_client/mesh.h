@@ -37,16 +37,6 @@ std::string MeshDigest(const MeshArrays& mesh);
 // Whether `text` has the form of a mesh's name.
 bool IsMeshDigest(std::string_view text);
 
-// Formats of files that servers read.
-enum class MeshFormat { kObj, kPly, kOff, kStl, kVtk, kGltf, kVtp };
-
-// "obj", "ply", "off", "stl", "vtk", "gltf" or "vtp".
-std::string_view MeshFormatName(MeshFormat format);
-
-// The format a path's ending names, in any case ("a/b.PLY" is kPly).
-// Errors: INVALID_ARGUMENT naming the path and the endings that are known.
-absl::StatusOr<MeshFormat> MeshFormatFromPath(std::string_view path);
-
 // Which edges of a mesh file are joined at which it keeps faces apart: programs
 // repeat vertices where a texture, a normal or a colour changes.
 struct Welding {

@@ -4,38 +4,13 @@
 #define GEODESIC_QUERY_H_
 
 #include <algorithm>
-#include <variant>
 #include <vector>
 
 #include "geodesic/algorithm.h"
 #include "geodesic/surface_point.h"
+#include "geodesic_types/places.h"
 
 namespace geodesic {
-
-// A polyline on the surface. Points that follow each other lie in a common
-// face, where the segment between them runs straight. If several faces hold
-// both points, there is a segment in each of them.
-struct Curve {
-  std::vector<SurfacePoint> points;  // at least one
-
-  friend auto operator<=>(const Curve&, const Curve&) = default;
-};
-
-// Distances are measured from a source, which is a point or every point of a
-// curve.
-struct Source {
-  std::variant<SurfacePoint, Curve> place;
-  // In the unit of the mesh's file; finite, >= 0, and at most about 1e6 times
-  // the mesh's extent, since rounding would swamp the mesh beside a larger one.
-  double offset = 0;
-
-  friend auto operator<=>(const Source&, const Source&) = default;
-};
-
-// Whether the source is a curve, not a point.
-inline bool IsCurve(const Source& source) {
-  return std::holds_alternative<Curve>(source.place);
-}
 
 // The range of tolerances other than 0.
 inline constexpr double kLeastTolerance = 1e-9;

@@ -35,28 +35,9 @@
 #include "absl/status/statusor.h"
 #include "geodesic/join_seams.h"
 #include "geodesic/triangle_soup.h"
+#include "geodesic_types/mesh_format.h"
 
 namespace geodesic {
-
-// Formats of files.
-enum class MeshFormat {
-  kObj,   // Wavefront OBJ: v and f statements; negative indices, a/b/c corners.
-  kPly,   // Stanford PLY: ASCII, binary little endian, binary big endian.
-  kOff,   // OFF, COFF, NOFF, STOFF..., ASCII.
-  kStl,   // STL, ASCII or binary, told apart by content.
-  kVtk,   // VTK's legacy format: POLYDATA or UNSTRUCTURED_GRID of polygons.
-  kGltf,  // glTF 2.0, binary or with its buffers inside; not compressed.
-  kVtp,   // VTK's XML format of PolyData; arrays as they are or within zlib.
-};
-
-// "obj", "ply", "off", "stl", "vtk", "gltf" or "vtp".
-std::string_view MeshFormatName(MeshFormat format);
-
-// The format a path's ending names, in any case ("a/b.PLY" -> kPly),
-// whether or not ".gz" follows ("a/b.ply.gz" -> kPly); .glb and .gltf are one
-// format.
-// Errors: INVALID_ARGUMENT naming the path and the endings that are known.
-absl::StatusOr<MeshFormat> MeshFormatFromPath(std::string_view path);
 
 class Checkpoint;
 

@@ -1,50 +1,16 @@
-// A point of the surface: at a vertex, on an edge or in a face.
+// What is known of places on a mesh (geodesic_types/places.h).
 
 #ifndef GEODESIC_SURFACE_POINT_H_
 #define GEODESIC_SURFACE_POINT_H_
 
-#include <array>
 #include <cstdint>
 #include <string>
-#include <variant>
 
 #include "absl/status/status.h"
 #include "geodesic/mesh.h"
+#include "geodesic_types/places.h"
 
 namespace geodesic {
-
-// A vertex, numbered from 0.
-struct VertexPoint {
-  uint32_t vertex = 0;
-
-  friend auto operator<=>(const VertexPoint&, const VertexPoint&) = default;
-};
-
-// The point (1 - t) * from + t * to of the edge between two vertices.
-struct EdgePoint {
-  uint32_t from = 0;
-  uint32_t to = 0;
-  double t = 0;  // in [0, 1]
-
-  friend auto operator<=>(const EdgePoint&, const EdgePoint&) = default;
-};
-
-// The point sum_i weights[i] * corner i of the face.
-struct FacePoint {
-  uint32_t face = 0;
-  // Barycentric: each >= 0, their sum 1.
-  std::array<double, 3> weights{};
-
-  friend auto operator<=>(const FacePoint&, const FacePoint&) = default;
-};
-
-// A place on the surface.
-using SurfacePoint = std::variant<VertexPoint, EdgePoint, FacePoint>;
-
-// How far the sum of weights that a client sends may be from 1: three weights
-// that were rounded to six digits are off by 1.5e-6 at the most. They are
-// divided by their sum.
-inline constexpr double kWeightSumTolerance = 2e-6;
 
 // `path` is the point's path in messages, e.g. "targets[2]".
 // Errors: INVALID_ARGUMENT for an index out of range, an edge that is not in

@@ -24,7 +24,7 @@
 #include "approximate/cholesky.h"
 #include "approximate/intrinsic_triangulation.h"
 #include "approximate/seeds.h"
-#include "geodesic/field_path.h"
+#include "geodesic_types/field_path.h"
 #include "mesh/file_unit.h"
 #include "solver/work_meter.h"
 #include "surface/surface_location.h"

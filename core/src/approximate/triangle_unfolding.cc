@@ -19,9 +19,9 @@
 
 #include "absl/strings/str_cat.h"
 #include "approximate/seeds.h"
-#include "geodesic/field_path.h"
 #include "geodesic/sampling.h"
 #include "geodesic/solve.h"
+#include "geodesic_types/field_path.h"
 #include "mesh/file_unit.h"
 #include "solver/thread_team.h"
 #include "surface/plane_point.h"

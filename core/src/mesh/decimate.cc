@@ -18,7 +18,7 @@
 #include <limits>
 #include <span>
 
-#include "geodesic/field_path.h"
+#include "geodesic_types/field_path.h"
 #include "mesh/scaled_difference.h"
 
 namespace geodesic {

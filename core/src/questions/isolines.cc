@@ -17,8 +17,8 @@
 
 #include "absl/status/status.h"
 #include "absl/strings/str_cat.h"
-#include "geodesic/field_path.h"
 #include "geodesic/mesh.h"
+#include "geodesic_types/field_path.h"
 #include "questions/isolines/isoline_band.h"
 #include "questions/isolines/level_crossings.h"
 #include "solver/accuracy.h"

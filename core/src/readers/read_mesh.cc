@@ -21,29 +21,13 @@
 namespace geodesic {
 namespace {
 
-struct Format {
-  MeshFormat format;
-  std::string_view name;
-  absl::StatusOr<TriangleSoup> (*read)(std::string_view bytes,
-                                       const ReadLimits& limits);
-};
+using Reader = absl::StatusOr<TriangleSoup> (*)(std::string_view bytes,
+                                                const ReadLimits& limits);
 
-constexpr std::array<Format, 7> kFormats = {{
-    {MeshFormat::kObj, "obj", ReadObj},
-    {MeshFormat::kPly, "ply", ReadPly},
-    {MeshFormat::kOff, "off", ReadOff},
-    {MeshFormat::kStl, "stl", ReadStl},
-    {MeshFormat::kVtk, "vtk", ReadVtk},
-    {MeshFormat::kGltf, "gltf", ReadGltf},
-    {MeshFormat::kVtp, "vtp", ReadVtp},
-}};
-
-const Format* Find(MeshFormat format) {
-  for (const Format& known : kFormats) {
-    if (known.format == format) return &known;
-  }
-  return nullptr;
-}
+// By the number of the format.
+constexpr auto kReaders = std::to_array<Reader>(
+    {ReadObj, ReadPly, ReadOff, ReadStl, ReadVtk, ReadGltf, ReadVtp});
+static_assert(kReaders.size() == kMeshFormats.size());
 
 struct Signature {
   std::string_view prefix;
@@ -140,36 +124,10 @@ absl::Status CheckContent(std::string_view bytes, MeshFormat format) {
 
 }  // namespace
 
-std::string_view MeshFormatName(MeshFormat format) {
-  const Format* const known = Find(format);
-  return known != nullptr ? known->name : "unknown";
-}
-
-absl::StatusOr<MeshFormat> MeshFormatFromPath(std::string_view path) {
-  std::string_view file = path.substr(path.find_last_of('/') + 1);
-  if (absl::EndsWithIgnoreCase({file.data(), file.size()}, ".gz")) {
-    file.remove_suffix(3);
-  }
-  const size_t dot = file.find_last_of('.');
-  if (dot != std::string_view::npos) {
-    std::string ending(file.substr(dot + 1));
-    absl::AsciiStrToLower(&ending);
-    if (ending == "glb") return MeshFormat::kGltf;
-    for (const Format& known : kFormats) {
-      if (ending == known.name) return known.format;
-    }
-  }
-  return absl::InvalidArgumentError(
-      absl::StrCat("the ending of '", Printable(path, 200),
-                   "' names no mesh format: .obj, .ply, .off, .stl, "
-                   ".vtk, .vtp, .glb and .gltf are known, and the same with "
-                   ".gz behind"));
-}
-
 absl::StatusOr<TriangleSoup> ReadMesh(std::string_view bytes, MeshFormat format,
                                       const ReadLimits& limits) {
-  const Format* const known = Find(format);
-  if (known == nullptr) {
+  const auto number = static_cast<size_t>(format);
+  if (number >= kReaders.size()) {
     return absl::InvalidArgumentError("unknown mesh format");
   }
   if (limits.max_gzip_bytes > 0 && IsGzip(bytes)) {
@@ -186,7 +144,7 @@ absl::StatusOr<TriangleSoup> ReadMesh(std::string_view bytes, MeshFormat format,
       return status;
     }
   }
-  absl::StatusOr<TriangleSoup> soup = known->read(bytes, limits);
+  absl::StatusOr<TriangleSoup> soup = kReaders[number](bytes, limits);
   if (!soup.ok()) return soup;
   if (format == MeshFormat::kStl &&
       limits.welding.kind != Welding::Kind::kNone) {

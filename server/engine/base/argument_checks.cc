@@ -4,7 +4,7 @@
 #include "absl/strings/str_replace.h"
 #include "absl/strings/string_view.h"
 #include "digest/sha256.h"
-#include "geodesic/field_path.h"
+#include "geodesic_types/field_path.h"
 #include "server/engine/base/status_details.h"
 
 namespace geodesic::server {

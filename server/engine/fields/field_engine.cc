@@ -7,8 +7,8 @@
 #include <variant>
 
 #include "absl/strings/str_cat.h"
-#include "geodesic/field_path.h"
 #include "geodesic/field_quantities.h"
+#include "geodesic_types/field_path.h"
 #include "server/engine/base/argument_checks.h"
 #include "server/engine/base/status_details.h"
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "geodesic/field_path.h"
 #include "geodesic/valid_query.h"
+#include "geodesic_types/field_path.h"
 #include "server/engine/base/argument_checks.h"
 
 namespace geodesic::server {

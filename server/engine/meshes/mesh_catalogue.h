@@ -22,15 +22,17 @@
 #include "geodesic/mesh.h"
 #include "geodesic/mesh_summary.h"
 #include "geodesic/triangle_soup.h"
+#include "geodesic_types/mesh_format.h"
 
 namespace geodesic::server {
 
-// How the bytes of an upload are to be read: the canonical arrays themselves,
-// or a file that geodesic::ReadMesh reads.
-enum class UploadFormat { kArrays, kObj, kPly, kOff, kStl, kVtk, kGltf, kVtp };
+// How the bytes of an upload are to be read: as a file, or as the canonical
+// arrays themselves.
+using UploadFormat = std::optional<MeshFormat>;
+inline constexpr UploadFormat kArrays = std::nullopt;
 
 struct UploadHeader {
-  UploadFormat format = UploadFormat::kArrays;
+  UploadFormat format = kArrays;
   uint64_t size_bytes = 0;
   // kArrays only.
   uint64_t vertex_count = 0;
@@ -43,7 +45,7 @@ struct UploadHeader {
 
 // Names a file as the client holds it.
 struct FileKey {
-  UploadFormat format = UploadFormat::kArrays;
+  UploadFormat format = kArrays;
   std::string sha256;
   Welding welding = {};
 

@@ -51,6 +51,10 @@ struct Metadata {
   std::optional<FileKey> file;
 };
 
+uint32_t FormatNumber(const UploadFormat& format) {
+  return format == kArrays ? 0 : 1 + static_cast<uint32_t>(*format);
+}
+
 std::string Encode(const MeshSummary& summary,
                    const std::optional<FileKey>& file) {
   BinaryWriter writer;
@@ -59,7 +63,7 @@ std::string Encode(const MeshSummary& summary,
   writer.Put(summary.genus.has_value());
   writer.Put(summary.genus.value_or(0));
   writer.Put(file.has_value());
-  writer.Put(static_cast<uint32_t>(file ? file->format : UploadFormat()));
+  writer.Put(file ? FormatNumber(file->format) : 0);
   writer.PutString(file ? file->sha256 : "");
   const Welding welding = file ? file->welding : Welding();
   writer.Put(static_cast<uint32_t>(welding.kind));
@@ -88,7 +92,7 @@ std::optional<Metadata> Decode(std::string_view bytes) {
         reader.Get(kind);
         reader.Get(file.welding.distance);
         file.welding.kind = static_cast<Welding::Kind>(kind);
-        file.format = static_cast<UploadFormat>(format);
+        if (format != 0) file.format = static_cast<MeshFormat>(format - 1);
         if (has_file) metadata.file = std::move(file);
       });
 }
@@ -147,7 +151,7 @@ absl::Status MeshFiles::Admit(uint64_t vertices, uint64_t faces) {
   // Metadata of the largest size.
   const std::string metadata = Encode(
       MeshSummary(),
-      FileKey{.format = UploadFormat::kVtp, .sha256 = std::string(64, '0')});
+      FileKey{.format = MeshFormat::kVtp, .sha256 = std::string(64, '0')});
   return blobs_->Admit(MeshBodyBytes(vertices, faces), metadata.size());
 }
 

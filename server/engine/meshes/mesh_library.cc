@@ -6,7 +6,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "digest/sha256.h"
-#include "geodesic/field_path.h"
+#include "geodesic_types/field_path.h"
 #include "server/engine/base/argument_checks.h"
 #include "server/engine/base/status_details.h"
 #include "server/engine/meshes/mesh_digest.h"
@@ -242,7 +242,7 @@ absl::StatusOr<std::unique_ptr<MeshUpload>> MeshLibrary::StartUpload(
   const UploadHeader& started = (*upload)->header();
   absl::Status fits =
       upload_memory_->CheckCapacity(MeshUpload::BytesToParse(started));
-  if (fits.ok() && started.format == UploadFormat::kArrays) {
+  if (fits.ok() && started.format == kArrays) {
     fits = CheckCapacity(started.vertex_count, started.face_count);
   }
   if (!fits.ok()) return fits;

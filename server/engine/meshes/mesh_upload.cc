@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
-#include "geodesic/field_path.h"
 #include "geodesic/gzip.h"
 #include "geodesic/read_mesh.h"
+#include "geodesic_types/field_path.h"
 #include "server/engine/base/argument_checks.h"
 #include "server/engine/meshes/mesh_digest.h"
 
@@ -39,12 +39,12 @@ constexpr uint64_t kGunzipFactor = 2;
 constexpr char kUpload[] = "the upload announces";
 
 uint64_t FirstFactor(const UploadHeader& header) {
-  return header.format == UploadFormat::kArrays ? 1 : kUsualFactor;
+  return header.format == kArrays ? 1 : kUsualFactor;
 }
 
 uint64_t LastFactor(const UploadHeader& header) {
-  return header.format == UploadFormat::kVtp ? kLastFactor * kMostInflation
-                                             : kLastFactor;
+  return header.format == MeshFormat::kVtp ? kLastFactor * kMostInflation
+                                           : kLastFactor;
 }
 
 // An array that grows takes twice its content while it is moved, so half of the
@@ -91,7 +91,7 @@ absl::Status CheckHeader(const UploadHeader& header, const Limits& limits) {
       CheckCount("bytes", header.size_bytes, "max_upload_bytes",
                  limits.max_upload_bytes, kUpload);
   if (!status.ok()) return status;
-  if (header.format == UploadFormat::kArrays) {
+  if (header.format == kArrays) {
     return CheckArraysHeader(header, limits);
   }
   if (header.vertex_count != 0 || header.face_count != 0) {
@@ -101,27 +101,6 @@ absl::Status CheckHeader(const UploadHeader& header, const Limits& limits) {
         "arrays; a file says itself what it holds");
   }
   return absl::OkStatus();
-}
-
-MeshFormat FileFormat(UploadFormat format) {
-  switch (format) {
-    case UploadFormat::kPly:
-      return MeshFormat::kPly;
-    case UploadFormat::kOff:
-      return MeshFormat::kOff;
-    case UploadFormat::kStl:
-      return MeshFormat::kStl;
-    case UploadFormat::kVtk:
-      return MeshFormat::kVtk;
-    case UploadFormat::kGltf:
-      return MeshFormat::kGltf;
-    case UploadFormat::kVtp:
-      return MeshFormat::kVtp;
-    case UploadFormat::kObj:
-    case UploadFormat::kArrays:
-      break;
-  }
-  return MeshFormat::kObj;
 }
 
 uint64_t SoupBytes(const TriangleSoup& soup) {
@@ -205,7 +184,7 @@ absl::Status MeshUpload::Append(uint64_t offset, std::string_view data) {
     reservation_.ShrinkTo(capacity);
   }
   bytes_.insert(bytes_.end(), data.begin(), data.end());
-  if (header_.format != UploadFormat::kArrays) hash_.Update(data);
+  if (header_.format != kArrays) hash_.Update(data);
   return absl::OkStatus();
 }
 
@@ -217,7 +196,7 @@ absl::Status MeshUpload::Finish() {
                      header_.size_bytes,
                      " bytes that header.size_bytes announced"));
   }
-  if (header_.format != UploadFormat::kArrays) {
+  if (header_.format != kArrays) {
     file_ = {header_.format, hash_.FinishHex(), header_.welding};
     if (const std::string_view file = Bytes(); IsGzip(file)) {
       inflated_bound_ =
@@ -275,7 +254,7 @@ absl::StatusOr<bool> MeshUpload::Parse(Checkpoint& checkpoint) {
   const ReadLimits within = LimitsWithin(SoupBound());
   JoiningCheckpoint joining(checkpoint, bytes_.capacity(), reservation_);
   absl::StatusOr<TriangleSoup> soup =
-      header_.format == UploadFormat::kArrays
+      header_.format == kArrays
           ? ParseArrays(joining)
           : ParseFile({.max_vertices =
                            std::min(own.max_vertices, within.max_vertices),
@@ -328,7 +307,7 @@ absl::StatusOr<TriangleSoup> MeshUpload::ParseArrays(
 
 absl::StatusOr<TriangleSoup> MeshUpload::ParseFile(
     const ReadLimits& limits) const {
-  return ReadMesh(Bytes(), FileFormat(header_.format), limits);
+  return ReadMesh(Bytes(), *header_.format, limits);
 }
 
 }  // namespace geodesic::server

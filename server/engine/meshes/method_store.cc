@@ -5,7 +5,7 @@
 
 #include "absl/strings/cord.h"
 #include "absl/strings/str_cat.h"
-#include "geodesic/field_path.h"
+#include "geodesic_types/field_path.h"
 
 namespace geodesic::server {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geodesic/decimate.h"
-#include "geodesic/field_path.h"
+#include "geodesic_types/field_path.h"
 
 namespace geodesic::server {
 

@@ -3,8 +3,8 @@
 #include <chrono>
 #include <utility>
 
-#include "geodesic/field_path.h"
 #include "geodesic/solve_options.h"
+#include "geodesic_types/field_path.h"
 
 namespace geodesic::server {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "geodesic/field_path.h"
+#include "geodesic_types/field_path.h"
 #include "server/engine/base/status_details.h"
 
 namespace geodesic::server {

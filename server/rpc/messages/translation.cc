@@ -7,8 +7,10 @@
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
+#include "codec/mesh_format.h"
+#include "codec/places.h"
 #include "geodesic/algorithm.h"
-#include "geodesic/field_path.h"
+#include "geodesic_types/field_path.h"
 #include "server/engine/base/argument_checks.h"
 
 namespace geodesic::server {
@@ -18,82 +20,6 @@ namespace {
 constexpr uint64_t kPointsPerMessage = 8192;
 
 static_assert(sizeof(Point) == 3 * sizeof(double));
-
-// Sets `result`. A number beyond 32 bits is on no mesh; the engine checks
-// others.
-absl::Status SetNumber(uint64_t number, const std::string& field,
-                       uint32_t& result) {
-  if (number > std::numeric_limits<uint32_t>::max()) {
-    return InvalidField(field, absl::StrCat(field, " ", number,
-                                            " is out of range: numbers of "
-                                            "vertices and faces have 32 bits"));
-  }
-  result = static_cast<uint32_t>(number);
-  return absl::OkStatus();
-}
-
-// The place of a v1::SurfacePoint, or of a v1::Source that is not a curve.
-template <typename Message>
-absl::StatusOr<SurfacePoint> PointFrom(const Message& message,
-                                       const std::string& field) {
-  if (message.has_vertex()) {
-    VertexPoint point{};
-    absl::Status status = SetNumber(
-        message.vertex(), absl::StrCat(field, ".vertex"), point.vertex);
-    if (!status.ok()) return status;
-    return point;
-  }
-  if (message.has_edge()) {
-    const v1::EdgePoint& edge = message.edge();
-    EdgePoint point{.t = edge.t()};
-    absl::Status status =
-        SetNumber(edge.from(), absl::StrCat(field, ".edge.from"), point.from);
-    status.Update(
-        SetNumber(edge.to(), absl::StrCat(field, ".edge.to"), point.to));
-    if (!status.ok()) return status;
-    return point;
-  }
-  if (message.has_face()) {
-    const v1::FacePoint& face = message.face();
-    FacePoint point{};
-    absl::Status status =
-        SetNumber(face.face(), absl::StrCat(field, ".face.face"), point.face);
-    if (!status.ok()) return status;
-    if (face.weights_size() != 3) {
-      const std::string weights = absl::StrCat(field, ".face.weights");
-      return InvalidField(weights,
-                          absl::StrCat(weights, " has ", face.weights_size(),
-                                       " values; a face has three corners"));
-    }
-    std::copy(face.weights().begin(), face.weights().end(),
-              point.weights.begin());
-    return point;
-  }
-  return InvalidField(field, absl::StrCat(field, " has no place"));
-}
-
-absl::StatusOr<std::vector<SurfacePoint>> PointsFrom(
-    const google::protobuf::RepeatedPtrField<v1::SurfacePoint>& points,
-    const std::string& field) {
-  std::vector<SurfacePoint> result;
-  result.reserve(points.size());
-  for (int i = 0; i < points.size(); ++i) {
-    absl::StatusOr<SurfacePoint> point =
-        PointFrom(points[i], absl::StrCat(field, "[", i, "]"));
-    if (!point.ok()) return point.status();
-    result.push_back(*point);
-  }
-  return result;
-}
-
-absl::StatusOr<std::variant<SurfacePoint, Curve>> PlaceFrom(
-    const v1::Source& source, const std::string& field) {
-  if (!source.has_curve()) return PointFrom(source, field);
-  absl::StatusOr<std::vector<SurfacePoint>> points =
-      PointsFrom(source.curve().points(), absl::StrCat(field, ".curve.points"));
-  if (!points.ok()) return points.status();
-  return Curve{*std::move(points)};
-}
 
 // `things` is what the limit counts, `limit_name` its name, both for messages.
 absl::Status AddAll(
@@ -110,9 +36,10 @@ absl::Status AddAll(
   if (!status.ok()) return status;
   query.sources.reserve(sources.size());
   for (int i = 0; i < sources.size(); ++i) {
-    auto place = PlaceFrom(sources[i], absl::StrCat("sources[", i, "]"));
-    if (!place.ok()) return place.status();
-    query.sources.push_back({*std::move(place), sources[i].offset()});
+    absl::StatusOr<Source> source =
+        codec::FromProto(sources[i], absl::StrCat("sources[", i, "]"));
+    if (!source.ok()) return source.status();
+    query.sources.push_back(*std::move(source));
   }
   return absl::OkStatus();
 }
@@ -182,11 +109,6 @@ absl::Status CheckParameters(const v1::Approximation& given,
 
 }  // namespace
 
-absl::StatusOr<SurfacePoint> FromProto(const v1::SurfacePoint& point,
-                                       const std::string& field) {
-  return PointFrom(point, field);
-}
-
 absl::Status AddTargets(
     const google::protobuf::RepeatedPtrField<v1::SurfacePoint>& targets,
     const PackedVertices& vertex_targets, const Limits& limits, Query& query) {
@@ -203,7 +125,7 @@ absl::Status AddTargets(
     return absl::OkStatus();
   }
   absl::StatusOr<std::vector<SurfacePoint>> points =
-      PointsFrom(targets, "targets");
+      codec::FromProto(targets, "targets");
   if (points.ok()) query.targets = *std::move(points);
   return points.status();
 }
@@ -253,10 +175,10 @@ absl::Status AddPairs(const v1::ComputePairsRequest& request,
     const std::string field = absl::StrCat("pairs[", i, "].");
     const v1::PointPair& pair = request.pairs(i);
     absl::StatusOr<SurfacePoint> source =
-        PointFrom(pair.source(), field + "source");
+        codec::FromProto(pair.source(), field + "source");
     if (!source.ok()) return source.status();
     absl::StatusOr<SurfacePoint> target =
-        PointFrom(pair.target(), field + "target");
+        codec::FromProto(pair.target(), field + "target");
     if (!target.ok()) return target.status();
     pairs.push_back({*source, *target});
   }
@@ -269,20 +191,6 @@ void SetPoint(const Point& from, v1::Point& to) {
   to.set_z(from[2]);
 }
 
-void SetSurfacePoint(const SurfacePoint& from, v1::SurfacePoint& to) {
-  if (const auto* vertex = std::get_if<VertexPoint>(&from)) {
-    to.set_vertex(vertex->vertex);
-  } else if (const auto* edge = std::get_if<EdgePoint>(&from)) {
-    to.mutable_edge()->set_from(edge->from);
-    to.mutable_edge()->set_to(edge->to);
-    to.mutable_edge()->set_t(edge->t);
-  } else if (const auto* face = std::get_if<FacePoint>(&from)) {
-    to.mutable_face()->set_face(face->face);
-    to.mutable_face()->mutable_weights()->Add(face->weights.begin(),
-                                              face->weights.end());
-  }
-}
-
 uint64_t SetPiece(std::span<const SurfacePoint> points,
                   std::span<const Point> positions, uint64_t first,
                   v1::PolylinePiece& piece) {
@@ -292,7 +200,7 @@ uint64_t SetPiece(std::span<const SurfacePoint> points,
   piece.set_first_point(first);
   piece.clear_points();
   for (const SurfacePoint& point : points.subspan(first, count)) {
-    SetSurfacePoint(point, *piece.add_points());
+    *piece.add_points() = codec::ToProto(point);
   }
   SetBytes(positions.subspan(first, count), *piece.mutable_positions());
   return first + count;
@@ -546,11 +454,13 @@ v1::Mesh ToProto(const MeshDescription& mesh) {
   return proto;
 }
 
+v1::MeshFormat ToProto(const UploadFormat& format) {
+  return format == kArrays ? v1::MESH_FORMAT_ARRAYS : codec::ToProto(*format);
+}
+
 v1::FileDigest ToProto(const FileKey& file) {
   v1::FileDigest proto;
-  for (const auto& [format, value] : kMeshFormats) {
-    if (format == file.format) proto.set_format(value);
-  }
+  proto.set_format(ToProto(file.format));
   proto.set_sha256(file.sha256);
   if (file.welding.kind == Welding::Kind::kWithin) {
     proto.set_weld_distance(file.welding.distance);
@@ -565,7 +475,7 @@ namespace {
 // only if that is asked for.
 template <typename Message>
 absl::StatusOr<Welding> WeldingFromProto(const Message& message,
-                                         UploadFormat format,
+                                         const UploadFormat& format,
                                          const std::string& path) {
   if (message.has_weld_distance() && message.keep_seams()) {
     return InvalidField(absl::StrCat(path, "keep_seams"),
@@ -580,7 +490,7 @@ absl::StatusOr<Welding> WeldingFromProto(const Message& message,
     const std::string field = absl::StrCat(path, "weld_distance");
     return InvalidField(field, absl::StrCat(field, ": ", status.message()));
   }
-  const bool keeps = message.keep_seams() || format == UploadFormat::kArrays;
+  const bool keeps = message.keep_seams() || format == kArrays;
   return Welding{.kind = keeps ? Welding::Kind::kNone : Welding::Kind::kSeams};
 }
 
@@ -599,9 +509,9 @@ absl::StatusOr<FileKey> FromProto(const v1::FileDigest& file,
 
 absl::StatusOr<UploadFormat> FromProto(v1::MeshFormat format,
                                        std::string_view field) {
-  for (const auto& [known, value] : kMeshFormats) {
-    if (value == format) return known;
-  }
+  if (format == v1::MESH_FORMAT_ARRAYS) return kArrays;
+  const UploadFormat known = codec::FromProto(format);
+  if (known.has_value()) return known;
   return InvalidField(
       field, absl::StrCat(absl::string_view(field.data(), field.size()), " is ",
                           static_cast<int>(format),

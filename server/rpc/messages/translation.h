@@ -71,17 +71,12 @@ inline void SetValues(std::span<const double> values, v1::ValueType type,
 
 // Points, sources and polylines.
 
-// Errors of these: INVALID_ARGUMENT naming `field`, which is the value's path
-// in the request, or a part of it: no place; a number beyond 32 bits; other
-// than three weights. The engine checks that the place is on the mesh.
-absl::StatusOr<SurfacePoint> FromProto(const v1::SurfacePoint& point,
-                                       const std::string& field);
-
 // Numbers of vertices, instead of places.
 using PackedVertices = google::protobuf::RepeatedField<uint32_t>;
 
 // Puts the targets of a request, in either form, into a query.
-// Errors: also RESOURCE_EXHAUSTED when they are more than the limit.
+// Errors of these: as codec::FromProto (codec/places.h); RESOURCE_EXHAUSTED
+// when they are more than the limit.
 absl::Status AddTargets(
     const google::protobuf::RepeatedPtrField<v1::SurfacePoint>& targets,
     const PackedVertices& vertex_targets, const Limits& limits, Query& query);
@@ -104,7 +99,6 @@ absl::Status AddPairs(const v1::ComputePairsRequest& request,
                       const Limits& limits, std::vector<PointPair>& pairs);
 
 void SetPoint(const Point& from, v1::Point& to);
-void SetSurfacePoint(const SurfacePoint& from, v1::SurfacePoint& to);
 
 // Replaces `piece` by as many points from `first` on as a message takes;
 // returns where the next piece begins. A polyline without points has one empty
@@ -155,19 +149,8 @@ absl::Status Translate(const v1::ComputeFieldRequest& request,
 
 // Meshes and uploads.
 
-// The formats that clients may upload.
-inline constexpr std::pair<UploadFormat, v1::MeshFormat> kMeshFormats[] = {
-    {UploadFormat::kArrays, v1::MESH_FORMAT_ARRAYS},
-    {UploadFormat::kObj, v1::MESH_FORMAT_OBJ},
-    {UploadFormat::kPly, v1::MESH_FORMAT_PLY},
-    {UploadFormat::kOff, v1::MESH_FORMAT_OFF},
-    {UploadFormat::kStl, v1::MESH_FORMAT_STL},
-    {UploadFormat::kVtk, v1::MESH_FORMAT_VTK},
-    {UploadFormat::kGltf, v1::MESH_FORMAT_GLTF},
-    {UploadFormat::kVtp, v1::MESH_FORMAT_VTP},
-};
-
 v1::Mesh ToProto(const MeshDescription& mesh);
+v1::MeshFormat ToProto(const UploadFormat& format);
 v1::FileDigest ToProto(const FileKey& file);
 // `path` is the message's. Errors: INVALID_ARGUMENT naming the field.
 absl::StatusOr<FileKey> FromProto(const v1::FileDigest& file,

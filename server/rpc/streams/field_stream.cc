@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "geodesic/field_path.h"
 #include "geodesic/field_quantities.h"
+#include "geodesic_types/field_path.h"
 #include "server/engine/base/argument_checks.h"
 #include "server/rpc/messages/translation.h"
 

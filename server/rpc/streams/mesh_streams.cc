@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "geodesic/field_path.h"
+#include "geodesic_types/field_path.h"
 #include "server/rpc/messages/translation.h"
 #include "server/rpc/streams/array_chunks.h"
 
@@ -14,10 +14,9 @@ namespace {
 // The memory that the mesh will take, as far as the header tells. A file's need
 // is only known when it is parsed, so its size is used instead.
 uint64_t LeastBytes(const UploadHeader& header) {
-  return header.format == UploadFormat::kArrays
-             ? Mesh::EstimateResidentBytes(header.vertex_count,
-                                           header.face_count)
-             : header.size_bytes;
+  return header.format == kArrays ? Mesh::EstimateResidentBytes(
+                                        header.vertex_count, header.face_count)
+                                  : header.size_bytes;
 }
 
 }  // namespace

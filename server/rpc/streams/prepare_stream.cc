@@ -3,7 +3,7 @@
 #include <utility>
 #include <variant>
 
-#include "geodesic/field_path.h"
+#include "geodesic_types/field_path.h"
 #include "server/rpc/messages/translation.h"
 
 namespace geodesic::server {

@@ -12,7 +12,7 @@
 
 #include "absl/status/status.h"
 #include "absl/strings/match.h"
-#include "geodesic/field_path.h"
+#include "geodesic_types/field_path.h"
 #include "tests/core/approximate/method_check.h"
 #include "tests/support/checkpoints.h"
 #include "tests/support/curved_meshes.h"

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "geodesic/field_path.h"
 #include "geodesic/solve.h"
 #include "geodesic/valid_query.h"
+#include "geodesic_types/field_path.h"
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 #include "tests/support/planar_meshes.h"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "absl/status/status.h"
-#include "geodesic/field_path.h"
+#include "geodesic_types/field_path.h"
 #include "tests/core/exactness/every_algorithm.h"
 #include "tests/core/questions/path_check.h"
 #include "tests/support/curved_meshes.h"

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "geodesic/field_path.h"
+#include "geodesic_types/field_path.h"
 #include "server/engine/pairs/pair_order.h"
 #include "tests/engine/engine_fixture.h"
 #include "tests/support/mesh_edits.h"

@@ -10,7 +10,7 @@
 #include <variant>
 
 #include "absl/strings/str_cat.h"
-#include "geodesic/field_path.h"
+#include "geodesic_types/field_path.h"
 #include "questions/isolines/arc_sampler.h"
 #include "surface/surface_location.h"
 #include "tolerances.h"

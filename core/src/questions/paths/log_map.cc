@@ -13,7 +13,7 @@
 #include "absl/container/flat_hash_map.h"
 #include "absl/status/status.h"
 #include "absl/strings/str_cat.h"
-#include "geodesic/field_path.h"
+#include "geodesic_types/field_path.h"
 #include "questions/paths/straight_piece.h"
 #include "questions/paths/traced_field.h"
 #include "solver/work_meter.h"
