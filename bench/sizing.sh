@@ -14,7 +14,7 @@ fields=${2:-100}
 bin=$(cd "$(dirname "$0")/.." && pwd)/build/release/bin
 folder=$(mktemp -d)
 "$bin/geodesicd" --listen 127.0.0.1:0 --port-file "$folder/port" --threads 1 \
-  --metrics-listen 127.0.0.1:0 --field-cache 8GiB 2>"$folder/log" &
+  --metrics-listen 127.0.0.1:0 --limit field-cache=8GiB 2>"$folder/log" &
 server=$!
 trap 'kill $server; wait $server || true; rm -rf "$folder"' EXIT
 until [[ -s $folder/port ]] && grep -q 'metrics on port' "$folder/log"; do

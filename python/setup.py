@@ -22,7 +22,7 @@ SOURCE = HERE / "source"
 ROOT = SOURCE if SOURCE.exists() else HERE.parent
 # What the extension is built from.
 PARTS = ["CMakeLists.txt", "LICENSE", "cmake", "core", "proto",
-         "python/CMakeLists.txt", "python/src"]
+         "python/CMakeLists.txt", "python/src", "types"]
 
 
 def version():

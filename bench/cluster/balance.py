@@ -51,7 +51,7 @@ def main():
     stop = threading.Event()
     with tempfile.TemporaryDirectory() as folder, running(
             arguments.server, folder, count, Haproxy,
-            ["--field-cache", "256KiB", "--field-disk", "1"],
+            ["--limit", "field-cache=256KiB", "--limit", "field-disk=1"],
             arguments.tier) as (address, replicas, _):
         stubs = geodesic_service.generate_stubs(arguments, folder)
         clients = [Client(stubs, address) for _ in range(_CHANNELS)]

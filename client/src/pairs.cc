@@ -24,7 +24,7 @@ constexpr uint64_t kRequestBytes = 256;
 // Whether the pairs can travel in the short form.
 bool AreVertices(std::span<const PointPair> pairs) {
   return std::ranges::all_of(pairs, [](const PointPair& pair) {
-    return ShortVertex(pair.source) && ShortVertex(pair.target);
+    return AsVertex(pair.source) != nullptr && AsVertex(pair.target) != nullptr;
   });
 }
 
@@ -37,12 +37,12 @@ absl::StatusOr<v1::ComputePairsRequest> MakePairRequest(
   const bool are_vertices = AreVertices(pairs);
   for (const PointPair& pair : pairs) {
     if (are_vertices) {
-      request.add_vertex_pairs(*ShortVertex(pair.source));
-      request.add_vertex_pairs(*ShortVertex(pair.target));
+      request.add_vertex_pairs(AsVertex(pair.source)->vertex);
+      request.add_vertex_pairs(AsVertex(pair.target)->vertex);
     } else {
       v1::PointPair& message = *request.add_pairs();
-      *message.mutable_source() = ToProto(pair.source);
-      *message.mutable_target() = ToProto(pair.target);
+      *message.mutable_source() = codec::ToProto(pair.source);
+      *message.mutable_target() = codec::ToProto(pair.target);
     }
   }
   return made;

@@ -252,7 +252,7 @@ absl::StatusOr<LogMap> Client::ComputeLogMap(
     const SolveProgressCallback& progress) {
   auto request = MakeRequest<v1::ComputeLogMapRequest>(query);
   if (!request.ok()) return request.status();
-  *request->mutable_source() = ToProto(query.source);
+  *request->mutable_source() = codec::ToProto(query.source);
 
   LogMap map;
   bool has_frame = false;

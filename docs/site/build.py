@@ -17,7 +17,7 @@ import declarations
 import docstrings
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-HEADERS = ("core/include", "client/include", "proto/geodesic")
+HEADERS = ("core/include", "client/include", "types/include", "proto/geodesic")
 ORDER = ("README", "guide", "python", "questions", "limits", "operations", "protocol",
          "batches", "benchmarks", "design", "algorithm")
 FENCE = "```"

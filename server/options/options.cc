@@ -5,6 +5,8 @@
 #include "absl/strings/str_cat.h"
 #include "server/options/flag_types.h"
 #include "server/options/flags.h"
+#include "server/options/limits.h"
+#include "server/options/memory.h"
 #include "server/options/setting_sources.h"
 #include "server/security/tls_files.h"
 
@@ -47,12 +49,12 @@ std::string CheckTogether(const ServerOptions& options) {
     uint64_t room;
   };
   for (const auto& [part, bytes, whole, room] :
-       {Pair{"--max-message-bytes", options.max_message_bytes,
-             "--receive-memory", options.receive_memory_bytes},
-        Pair{"--max-message-bytes", options.max_message_bytes,
-             "--request-memory", options.request_memory_bytes},
-        Pair{"--max-upload-bytes", limits.max_upload_bytes, "--upload-memory",
-             limits.upload_memory_bytes}}) {
+       {Pair{"--limit max-message-bytes", options.max_message_bytes,
+             "receive-memory", options.receive_memory_bytes},
+        Pair{"--limit max-message-bytes", options.max_message_bytes,
+             "request-memory", options.request_memory_bytes},
+        Pair{"--limit max-upload-bytes", limits.max_upload_bytes,
+             "upload-memory", limits.upload_memory_bytes}}) {
     if (bytes <= room) continue;
     return absl::StrCat(part, " (", InUnits(bytes), ") must not exceed ", whole,
                         " (", InUnits(room), ")");
@@ -69,14 +71,18 @@ void AddAll(const std::string& version, CLI::App& app, ServerOptions& options) {
   AddFile(app);
   AddFlags(app, options);
   AddVariables(app);
-  app.footer(
-      "BYTES take a unit: B, KiB, MiB, GiB, or KB, MB, GB. A setting comes\n"
+  ServerOptions divided = options;
+  Divide(divided);
+  app.footer(absl::StrCat(
+      ExplainLimits(divided),
+      "\nBYTES take a unit: B, KiB, MiB, GiB, or KB, MB, GB. A setting comes\n"
       "from its flag, else from its environment variable, else from the file,\n"
       "where it has the flag's name without dashes in front:\n"
       "  listen = \"0.0.0.0:50051\"\n"
-      "  field-cache = \"2GiB\"\n\n"
+      "  memory = \"16GiB\"\n"
+      "  limit = [\"max-pairs=1000000\", \"mesh-store=8GiB\"]\n\n"
       "Exit codes: 0 stopped in order; 1 could not start; 2 wrong usage;\n"
-      "3 stopped, but requests had to be cancelled.");
+      "3 stopped, but requests had to be cancelled."));
 }
 
 }  // namespace
@@ -92,6 +98,8 @@ CommandLine ParseCommandLine(int argc, const char* const* argv,
   try {
     app.parse(ArgumentsInReverse(argc, argv));
     TakeVariables(app);
+    Divide(options);
+    SetLimits(options.chosen_limits, options);
     if (const std::string error = CheckTogether(options); !error.empty()) {
       throw CLI::ValidationError(error);
     }

@@ -36,8 +36,6 @@ struct ServerOptions {
   std::string web_token_file;
   // Where to write the port of web_listen that was taken; empty: nowhere.
   std::string web_port_file;
-  // Whether gRPC's channelz service is served, to everybody.
-  bool channelz = false;
   // Where to write the port that was taken, or the socket's path; empty:
   // nowhere.
   std::string port_file;
@@ -79,6 +77,11 @@ struct ServerOptions {
   std::chrono::seconds exit_when_idle{0};
   // A level of spdlog.
   std::string log_level = "info";
+  // What is divided among the budgets of `limits` and those above (memory.h).
+  uint64_t memory_bytes = 0;
+  uint64_t disk_bytes = uint64_t{80} << 30;
+  // NAME=VALUE of those that were set one by one (limits.h).
+  std::vector<std::string> chosen_limits;
   Limits limits;
 };
 

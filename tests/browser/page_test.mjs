@@ -684,7 +684,7 @@ test("a choice that is none, and counts and places that are none, are no questio
 });
 
 test("a server that is full is asked again", async (t) => {
-  const full = await startServer("--threads", "1", "--max-queued-jobs", "0");
+  const full = await startServer("--threads", "1", "--limit", "max-queued-jobs=0");
   t.after(() => full.stop());
   const viewer = await openPage(browser, full.url);
   t.after(() => viewer.close());

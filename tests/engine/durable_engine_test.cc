@@ -157,7 +157,7 @@ TEST_F(DiskBudgetTest, AMeshBeyondTheBudgetIsRefused) {
   EXPECT_EQ(ReasonOf(status), reason::kLimitExceeded);
   EXPECT_THAT(std::string(status.message()),
               HasSubstr(absl::StrCat(limits_.mesh_disk_bytes)));
-  EXPECT_THAT(std::string(status.message()), HasSubstr("--mesh-disk"));
+  EXPECT_THAT(std::string(status.message()), HasSubstr("mesh-disk"));
   // That is no fault of the disk.
   const BlobCounters counters = engine_->durable()->meshes->blobs().counters();
   EXPECT_EQ(counters.too_large, 1);

@@ -143,8 +143,8 @@ TEST_F(EvictionTest, WhatCanNeverBeLoadedIsRefusedAtOnceWithTheFigures) {
         .status();
   };
   for (const auto& [budget, flag] :
-       {std::pair(&limits_.upload_memory_bytes, "--upload-memory"),
-        std::pair(&limits_.mesh_store_bytes, "--mesh-store")}) {
+       {std::pair(&limits_.upload_memory_bytes, "--limit upload-memory"),
+        std::pair(&limits_.mesh_store_bytes, "--limit mesh-store")}) {
     const uint64_t enough = std::exchange(*budget, 1000);
     const absl::Status status = refusal();
     EXPECT_TRUE(absl::IsResourceExhausted(status)) << status;

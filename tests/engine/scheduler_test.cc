@@ -254,7 +254,7 @@ TEST_F(MemoryTest, WhatNoJobWillGiveBackIsNotWaitedFor) {
   EXPECT_THAT(std::string(reason_.message()),
               HasSubstr("60 bytes are needed, but of the solver memory of 100 "
                         "bytes 50 are in use and 50 available"));
-  EXPECT_THAT(std::string(reason_.message()), HasSubstr("--solver-memory"));
+  EXPECT_THAT(std::string(reason_.message()), HasSubstr("solver-memory"));
   EXPECT_TRUE(RetryAfter(reason_).has_value());
   EXPECT_EQ(ReasonOf(reason_), reason::kMemoryFull);
   EXPECT_THAT(ran_, ElementsAre("b"));

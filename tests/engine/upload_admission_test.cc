@@ -230,7 +230,7 @@ TEST_F(UploadAdmissionTest, WhatCanNeverFitIsRefusedWithTheFigures) {
     EXPECT_FALSE(RetryAfter(status).has_value());
     EXPECT_THAT(std::string(status.message()),
                 HasSubstr(absl::StrCat(engine_.limits().mesh_store_bytes)));
-    EXPECT_THAT(std::string(status.message()), HasSubstr("--mesh-store"));
+    EXPECT_THAT(std::string(status.message()), HasSubstr("--limit mesh-store"));
   }
 }
 
@@ -260,7 +260,7 @@ TEST_F(UploadMemoryTest, WhatItsFileCanNeverBeParsedInIsRefusedAtItsHeader) {
     if (fits) continue;
     EXPECT_TRUE(absl::IsResourceExhausted(status)) << status;
     EXPECT_FALSE(RetryAfter(status).has_value());
-    EXPECT_THAT(std::string(status.message()), HasSubstr("--upload-memory"));
+    EXPECT_THAT(std::string(status.message()), HasSubstr("--limit upload-memory"));
   }
 }
 

@@ -89,7 +89,7 @@ TEST_F(PairsTest, AReceiverMayEndIt) {
 }
 
 TEST_F(PairsTest, ALongListTakesSeveralCalls) {
-  const RunningServer small(folder_, {"--max-pairs", "7"});
+  const RunningServer small(folder_, {"--limit", "max-pairs=7"});
   Client client(small.address());
   ASSERT_TRUE(client.UploadArrays(mesh_).ok());
   PairQuery query = {.mesh_digest = digest_, .pairs = SomePairs(100)};

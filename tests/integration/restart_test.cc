@@ -56,7 +56,7 @@ TEST_F(RestartTest, MeshesTakeTurnsInMemory) {
     largest = std::max(largest, info->resident_bytes);
   }
   EXPECT_EQ(Stop(), 0);
-  Start({"--mesh-store", std::to_string(4 * largest) + "B"});
+  Start({"--limit", "mesh-store=" + std::to_string(4 * largest) + "B"});
   std::vector<std::thread> threads;
   std::atomic<uint32_t> refused = 0;
   for (uint32_t c = 0; c < kClients; ++c) {

@@ -303,8 +303,8 @@ class ServiceTest(ServedTest):
 class BlocksTest(ServedTest):
     """What is more than the server takes at once."""
 
-    flags = ("--max-pairs", "25", "--max-matrix-rows", "50",
-             "--max-matrix-values", "4000", "--max-message-bytes", "8192")
+    flags = ("--limit", "max-pairs=25", "--limit", "max-matrix-rows=50",
+             "--limit", "max-matrix-values=4000", "--limit", "max-message-bytes=8192")
 
     def setUp(self):
         # 121 vertices: 33 rows to all of them.

@@ -65,9 +65,9 @@ WatchedServer::Options ServerOptions(const Options& options) {
   const size_t requests = (options.readers + options.uploads + 100) * 4 / 3;
   // Each upload has a message that comes slowly.
   constexpr size_t kMessageMib = 4;
-  server.flags = {"--max-requests", std::to_string(requests),
-                  "--receive-memory",
-                  std::to_string(kMessageMib * requests) + "MiB"};
+  server.flags = {
+      "--limit", absl::StrCat("max-requests=", requests), "--limit",
+      absl::StrCat("receive-memory=", kMessageMib * requests, "MiB")};
   return server;
 }
 

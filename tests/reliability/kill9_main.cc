@@ -78,8 +78,8 @@ class Kill9 {
     // Less memory than the meshes take, so that some are always on their way
     // back from the disk.
     return RunningServer(folder_,
-                         {"--data-dir", folder_ / "data", "--mesh-store",
-                          "16MiB", "--log-level", "warn"},
+                         {"--data-dir", folder_ / "data", "--limit",
+                          "mesh-store=16MiB", "--log-level", "warn"},
                          options_.server);
   }
 

@@ -18,15 +18,15 @@ namespace geodesic::client {
 namespace {
 
 struct Budget {
-  const char* flag;
+  const char* limit;
   int mib;
 };
 
 // Small, so that a load of seconds fills them.
-constexpr std::array<Budget, 4> kBudgets = {{{"--mesh-store", 64},
-                                             {"--field-cache", 64},
-                                             {"--upload-memory", 96},
-                                             {"--solver-memory", 128}}};
+constexpr std::array<Budget, 4> kBudgets = {{{"mesh-store", 64},
+                                             {"field-cache", 64},
+                                             {"upload-memory", 96},
+                                             {"solver-memory", 128}}};
 
 constexpr std::array kBackToZero = {
     R"(geodesic_active_requests)",
@@ -148,15 +148,16 @@ nlohmann::ordered_json FigureSeries::Summary() const {
 
 WatchedServer::WatchedServer(const Options& options)
     : ignores_memory_(options.ignores_memory) {
-  std::vector<std::string> all = {"--metrics-listen", "127.0.0.1:0",
-                                  "--max-upload-bytes", "16MiB"};
+  std::vector<std::string> all = {"--metrics-listen", "127.0.0.1:0", "--limit",
+                                  "max-upload-bytes=16MiB"};
   for (const Budget& budget : kBudgets) {
-    all.insert(all.end(), {budget.flag, absl::StrCat(budget.mib, "MiB")});
+    all.insert(all.end(),
+               {"--limit", absl::StrCat(budget.limit, "=", budget.mib, "MiB")});
   }
   if (options.is_durable) {
     const std::string disk = absl::StrCat(options.disk_mib, "MiB");
-    all.insert(all.end(), {"--data-dir", folder_ / "data", "--mesh-disk", disk,
-                           "--field-disk", disk});
+    all.insert(all.end(), {"--data-dir", folder_ / "data", "--limit",
+                           "mesh-disk=" + disk + ",field-disk=" + disk});
   }
   all.insert(all.end(), options.flags.begin(), options.flags.end());
   server_ = std::make_unique<RunningServer>(folder_, all, options.program);

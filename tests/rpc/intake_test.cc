@@ -74,7 +74,7 @@ TEST_F(IntakeTest, AMessageThatDoesNotComeIsNotWaitedForForEver) {
     const grpc::Status status = CallWithoutRequest(method);
     EXPECT_EQ(status.error_code(), grpc::StatusCode::DEADLINE_EXCEEDED)
         << method << ": " << status.error_message();
-    EXPECT_THAT(status.error_message(), HasSubstr("--receive-seconds"));
+    EXPECT_THAT(status.error_message(), HasSubstr("receive-seconds"));
   }
 }
 
@@ -97,7 +97,7 @@ TEST_F(IntakeTest, ARequestThatCanNeverBeHeldIsRefusedForGood) {
   const std::string digest = Upload(test::Tetrahedron());
   const grpc::Status status = ComputeField(WithTargets(digest, 1000)).status;
   EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
-  EXPECT_THAT(status.error_message(), HasSubstr("--request-memory"));
+  EXPECT_THAT(status.error_message(), HasSubstr("--limit request-memory"));
   EXPECT_FALSE(test::RetryInfo(status).has_value());
   // A smaller one is not.
   EXPECT_TRUE(ComputeField(digest, 0).status.ok());
@@ -124,7 +124,7 @@ TEST_F(IntakeTest, WhatRequestsHoldIsBounded) {
   EXPECT_GE(held.size(), 2);
   EXPECT_EQ(refusal.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
   EXPECT_EQ(test::Reason(refusal), "MEMORY_FULL");
-  EXPECT_THAT(refusal.error_message(), HasSubstr("--request-memory"));
+  EXPECT_THAT(refusal.error_message(), HasSubstr("--limit request-memory"));
   EXPECT_TRUE(test::RetryInfo(refusal).has_value());
 
   solver_.LetGo();

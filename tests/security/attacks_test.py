@@ -20,10 +20,10 @@ import grpc  # noqa: E402
 
 MIB = 1 << 20
 RECEIVE = 16 * MIB
-BUDGETS = {"--mesh-store": 128, "--field-cache": 64,
-           "--upload-memory": 64, "--solver-memory": 64,
-           "--request-memory": 32, "--receive-memory": RECEIVE // MIB,
-           "--max-upload-bytes": 16}
+BUDGETS = {"mesh-store": 128, "field-cache": 64,
+           "upload-memory": 64, "solver-memory": 64,
+           "request-memory": 32, "receive-memory": RECEIVE // MIB,
+           "max-upload-bytes": 16}
 # A tenth of the budgets is for what nobody counts.
 SLACK = (sum(BUDGETS.values()) - 16) * MIB // 10
 
@@ -39,8 +39,8 @@ class Service(geodesic_service.Server):
             super().__init__(
                 ARGUMENTS, folder, log=log,
                 flags=["--metrics-listen", "127.0.0.1:0"] +
-                [word for flag, size in BUDGETS.items()
-                 for word in (flag, "%dMiB" % size)])
+                ["--limit", ",".join("%s=%dMiB" % budget
+                                     for budget in BUDGETS.items())])
         with open(os.path.join(folder, "log"), encoding="utf-8") as log:
             self.metrics_port = re.search(r"metrics on port (\d+)",
                                           log.read())[1]

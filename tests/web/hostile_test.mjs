@@ -17,7 +17,7 @@ import { startServer, until, writeTokens } from "./server.mjs";
 const PATIENCE = 2;
 
 let server;
-before(async () => { server = await startServer("--receive-seconds", String(PATIENCE)); });
+before(async () => { server = await startServer("--limit", `receive-seconds=${PATIENCE}`); });
 after(() => server.stop());
 
 /** A connection on which `text` was sent; `answer()` is what came until it ended. */
@@ -167,7 +167,7 @@ test("who sends a request byte by byte is cut off", async () => {
 
 test("who goes within a request's head keeps no connection", async () => {
   // One that waits for a minute before it cuts anybody off.
-  const patient = await startServer("--receive-seconds", "60");
+  const patient = await startServer("--limit", "receive-seconds=60");
   try {
     const before = performance.now();
     const gone = Array.from({ length: 20 }, () => {

@@ -45,7 +45,7 @@ void ByteBudget::Return(uint64_t bytes) {
 
 absl::Status ByteBudget::Exhausted(uint64_t bytes) const {
   const std::string flag =
-      absl::StrCat("--", absl::StrReplaceAll(name_, {{" ", "-"}}));
+      absl::StrCat("--limit ", absl::StrReplaceAll(name_, {{" ", "-"}}));
   if (bytes > capacity_) {
     return absl::ResourceExhaustedError(absl::StrCat(
         bytes, " bytes are needed, more than the ", name_, " of ", capacity_,

@@ -52,7 +52,7 @@ struct ServiceContext {
 // tells the client so; to the server this looks as if the client had left.
 inline constexpr char kNoMessage[] =
     "no message came: the client sent none, is gone, or sent one larger than "
-    "--max-message-bytes, which gRPC refused";
+    "max_message_bytes, which gRPC refused";
 
 // The error of a call whose client took nothing of the answer.
 inline absl::Status NotTakenError(std::chrono::milliseconds patience) {

@@ -266,7 +266,7 @@ absl::Status LateError(std::chrono::milliseconds patience) {
       absl::StrCat("a message of the request did not come as a whole within ",
                    patience.count() / 1000,
                    " s (the server's "
-                   "--receive-seconds)"));
+                   "limit receive-seconds)"));
 }
 
 absl::Status BrokenOffError() {
@@ -274,7 +274,7 @@ absl::Status BrokenOffError() {
       WithRetryAfter(
           absl::ResourceExhaustedError(
               "messages that are still coming in fill the server's "
-              "--receive-memory, and this one came slowly; try again later"),
+              "limit receive-memory, and this one came slowly; try again later"),
           kComeAgain),
       reason::kMemoryFull);
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "codec/places.h"
 #include "geodesic_types/field_path.h"
 #include "server/engine/base/argument_checks.h"
 #include "server/rpc/messages/translation.h"
@@ -162,7 +163,7 @@ absl::Status LogMapStream::Translate(FieldRequest& question) {
   if (!value_type.ok()) return value_type.status();
   value_type_ = *value_type;
   question.extras.log_map = true;
-  absl::StatusOr<SurfacePoint> source = FromProto(request().source(), "source");
+  absl::StatusOr<SurfacePoint> source = codec::FromProto(request().source(), "source");
   if (!source.ok()) return source.status();
   question.query.sources = {{*source}};
   return absl::OkStatus();

@@ -21,7 +21,7 @@ from waiting import await_that, free_port  # noqa: E402
 
 SIDE = 24
 # Where a hit is expected, other programs on the machine must not prevent it.
-PATIENT = ["--shared-tier-timeout-ms", "1000"]
+PATIENT = ["--limit", "shared-tier-timeout-ms=1000"]
 PREFIX = b"geodesic:1:"
 
 
@@ -381,7 +381,7 @@ class SharedTierTest(unittest.TestCase):
     def test_too_large(self):
         redis = self.redis()
         replica = self.replica(redis.address, *PATIENT,
-                               "--shared-tier-max-value-bytes", "4KiB")
+                               "--limit", "shared-tier-max-value-bytes=4KiB")
         replica.upload(*self.mesh)
         replica.field(self.digest, 0)
         await_that(lambda: replica.writes("dropped") == 2)
