@@ -102,7 +102,7 @@ struct QuestionCall {
 struct EngineCounters : FieldCounters {
   uint64_t meshes_built = 0;
   uint64_t meshes_loaded = 0;   // from disk
-  uint64_t meshes_fetched = 0;  // from siblings or the shared tier
+  uint64_t meshes_fetched = 0;  // from the shared tier
   PairCounts pairs;
 };
 

@@ -78,8 +78,8 @@ double LengthOf(const Curve& curve, const MeshArrays& mesh) {
   return length;
 }
 
-// Measures the curves, for which it reads the mesh. Where only a sibling of the
-// server has that, which the question fetches, they have no length.
+// Measures the curves, for which it reads the mesh. Where only the shared tier
+// has that, from which the question fetches it, they have no length.
 absl::Status MeasureCurves(const Session& session, Question* question) {
   std::optional<MeshArrays> mesh;
   for (size_t i = 0; i < question->sources.size(); ++i) {

@@ -114,7 +114,7 @@ absl::StatusOr<uint64_t> FirstOnSurface(const Session& session,
                                         const std::string& mesh_digest) {
   const absl::StatusOr<MeshInfo> info =
       session.client.GetMesh(mesh_digest, session.call);
-  // A sibling of the server may have it, which the question fetches.
+  // The shared tier may have it, from which the question fetches it.
   if (absl::IsNotFound(info.status())) return 0;
   if (!info.ok()) return info.status();
   if (info->isolated_vertex_count == 0) return 0;

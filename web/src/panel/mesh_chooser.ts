@@ -77,7 +77,7 @@ export class MeshChooser {
 
   private async sendAgain(digest: string, opened: Opened): Promise<void> {
     this.restoring = new AbortController();
-    const sent = await this.upload(opened, this.restoring.signal);
+    const sent = await this.upload(opened, this.restoring.signal, digest);
     this.notice.done();
     if (sent !== digest) throw new Error(`The server has lost this mesh, and ${opened.file.name} holds another one by now.`);
   }
@@ -182,11 +182,11 @@ export class MeshChooser {
     return this.files.get(digest)?.file.name ?? digest.slice(0, 8);
   }
 
-  private upload({ file, joining }: Opened, signal: AbortSignal): Promise<string> {
+  private upload({ file, joining }: Opened, signal: AbortSignal, digest?: string): Promise<string> {
     const show = (share: number) =>
       this.notice.busy(share < 1 ? `Sending ${file.name}` : `The server reads ${file.name}`, share < 1 ? share : undefined);
     show(0);
-    return uploadMesh(this.connection, file, joining, show, signal);
+    return uploadMesh(this.connection, file, joining, show, signal, digest);
   }
 
   private listenToDrops(stage: HTMLElement): void {
