@@ -163,9 +163,6 @@ void AddMemory(CLI::App& app, ServerOptions& options) {
       app, "--prepared-memory", options.limits.prepared_memory_bytes,
       "Memory for what approximate algorithms prepare of meshes; the least "
       "recently used is evicted");
-  AddBytes(app, "--decimated-memory", options.limits.decimated_memory_bytes,
-           "Memory for decimated meshes, 12 bytes a face, for those who draw "
-           "them; the least recently used are evicted");
 }
 
 void AddDisk(CLI::App& app, ServerOptions& options) {

@@ -1,6 +1,5 @@
 #include "server/rpc/services.h"
 
-#include "server/rpc/streams/decimate_stream.h"
 #include "server/rpc/streams/field_stream.h"
 #include "server/rpc/streams/mesh_streams.h"
 #include "server/rpc/streams/pair_stream.h"
@@ -26,8 +25,7 @@ std::vector<std::unique_ptr<Service>> MakeServices(
   std::vector<std::unique_ptr<Service>> services;
   services.push_back(
       Make<FindMissingCall, UploadStream, GetMeshCall, MeshStream,
-           DecimateStream, ListMeshesCall, DeleteMeshCall>(
-          "geodesic.v1.MeshService", context));
+           ListMeshesCall, DeleteMeshCall>("geodesic.v1.MeshService", context));
   services.push_back(Make<FieldStream, LogMapStream, SampleStream>(
       "geodesic.v1.FieldService", context));
   services.push_back(

@@ -76,21 +76,6 @@ test("ReadMesh gives the arrays back", async () => {
   assert.ok(read.equals(bytes));
 });
 
-test("DecimateMesh gives fewer faces over the same vertices", async () => {
-  const answers = await all(clients.MeshService.decimateMesh({ digest, maxFaces: 50n }));
-  assert.equal(answers[0].part.case, "header");
-  const corners = numbers32(parts(answers, "faces").map((chunk) => chunk.indices));
-  assert.equal(corners.length, 3 * Number(answers[0].part.value.faceCount));
-  assert.ok(corners.length <= 150 && corners.every((corner) => corner <= last));
-  // The square is still covered: the sum of areas, with their signs.
-  let area = 0;
-  for (let i = 0; i < corners.length; i += 3) {
-    const [a, b, c] = corners.slice(i, i + 3).map((corner) => grid.positions[corner]);
-    area += ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
-  }
-  assertClose([Math.abs(area)], [1]);
-});
-
 test("ComputeField, at once and progressively", async () => {
   const request = { meshDigest: digest, sources: [from(0)] };
   const answers = await all(clients.FieldService.computeField(request));

@@ -42,12 +42,10 @@ MeshLibrary::MeshLibrary(const Limits& limits, const Clock& clock,
       upload_memory_(std::move(upload_memory)),
       removed_(std::move(removed)),
       landmarks_(limits.landmark_memory_bytes),
-      decimations_(limits.decimated_memory_bytes),
       methods_(limits.prepared_memory_bytes),
       store_(limits.mesh_store_bytes,
              [this](const std::string& digest) {
                landmarks_.Erase(digest);
-               decimations_.EraseMesh(digest);
                methods_.EraseMesh(digest);
              }),
       uploads_(scheduler, clock, limits.progress_interval),

@@ -26,7 +26,6 @@
 #include "server/engine/base/limits.h"
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/jobs/shared_jobs.h"
-#include "server/engine/meshes/decimation_store.h"
 #include "server/engine/meshes/landmark_store.h"
 #include "server/engine/meshes/mesh_catalogue.h"
 #include "server/engine/meshes/mesh_files.h"
@@ -165,8 +164,6 @@ class MeshLibrary {
   // Of meshes in memory; they go with their meshes.
   LandmarkStore& landmarks() { return landmarks_; }
   const LandmarkStore& landmarks() const { return landmarks_; }
-  DecimationStore& decimations() { return decimations_; }
-  const DecimationStore& decimations() const { return decimations_; }
   MethodStore& methods() { return methods_; }
   const MethodStore& methods() const { return methods_; }
   const MeshLoads& loads() const { return loads_; }
@@ -247,7 +244,6 @@ class MeshLibrary {
   const std::shared_ptr<ByteBudget> upload_memory_;
   const std::function<void(const std::string&)> removed_;
   LandmarkStore landmarks_;
-  DecimationStore decimations_;
   MethodStore methods_;
   MeshStore store_;
   MeshCatalogue* catalogue_ = &store_;
