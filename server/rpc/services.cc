@@ -3,7 +3,6 @@
 #include "server/rpc/streams/field_stream.h"
 #include "server/rpc/streams/mesh_streams.h"
 #include "server/rpc/streams/pair_stream.h"
-#include "server/rpc/streams/prepare_stream.h"
 #include "server/rpc/streams/question_streams.h"
 #include "server/rpc/streams/row_stream.h"
 #include "server/rpc/unary_calls.h"
@@ -33,7 +32,6 @@ std::vector<std::unique_ptr<Service>> MakeServices(
   services.push_back(
       Make<MatrixStream, NearestStream>("geodesic.v1.MatrixService", context));
   services.push_back(Make<PairStream>("geodesic.v1.PairService", context));
-  services.push_back(Make<PrepareStream>("geodesic.v1.MethodService", context));
   services.push_back(
       Make<CapabilitiesCall>("geodesic.v1.CapabilitiesService", context));
   return services;

@@ -90,6 +90,13 @@ test("ComputeField, at once and progressively", async () => {
   assertClose(values, euclid(0));
 });
 
+test("ComputeField, approximately", async () => {
+  const [{ part }] = await all(clients.FieldService.computeField(
+    { meshDigest: digest, sources: [from(0)], algorithm: number("Algorithm", "HEAT") }));
+  assert.equal(part.case, "header");
+  assert.ok(part.value.approximation);
+});
+
 test("ComputeLogMap keeps distances", async () => {
   const answers = await all(clients.FieldService.computeLogMap(
     { meshDigest: digest, source: vertex(60) }));
@@ -144,18 +151,6 @@ test("ComputePairs", async () => {
     { meshDigest: digest, vertexPairs: [0, last, 1, 0] }));
   assertClose(doubles(parts(answers, "chunk").map((chunk) => chunk.distances)),
     [Math.SQRT2, 0.1]);
-});
-
-test("PrepareMethod", async () => {
-  const prepare = async () => {
-    const answers = await all(clients.MethodService.prepareMethod(
-      { meshDigest: digest, algorithm: number("Algorithm", "HEAT") }));
-    return parts(answers, "trailer")[0];
-  };
-  const first = await prepare();
-  assert.equal(first.alreadyPrepared, false);
-  assert.ok(first.preparedBytes > 0n);
-  assert.equal((await prepare()).alreadyPrepared, true);
 });
 
 test("DeleteMesh", async () => {

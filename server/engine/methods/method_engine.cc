@@ -10,41 +10,33 @@ namespace geodesic::server {
 namespace {
 
 // For the work's arrays before it has told how much it takes.
-uint64_t PlannedBytes(const Mesh& mesh,
-                      const std::optional<MethodChoice>& method) {
-  return method.has_value() ? mesh.resident_bytes() / 4
-                            : LandmarkMaker::PlannedBytes(mesh);
-}
+uint64_t PlannedBytes(const Mesh& mesh) { return mesh.resident_bytes() / 4; }
 
 }  // namespace
 
 MethodEngine::MethodEngine(const Limits& limits, const Clock& clock,
                            Scheduler& scheduler,
                            std::shared_ptr<ByteBudget> solver_memory,
-                           MeshLibrary& meshes, LandmarkMaker& landmarks)
+                           MeshLibrary& meshes)
     : limits_(limits),
       clock_(clock),
       scheduler_(scheduler),
       solver_memory_(std::move(solver_memory)),
       meshes_(meshes),
-      landmarks_(landmarks),
       jobs_(scheduler, clock, limits.progress_interval) {}
 
 absl::StatusOr<MethodJobs::Ticket> MethodEngine::Prepare(
-    const MeshHandle& mesh, const std::optional<MethodChoice>& method,
-    Waiter<Prepared> waiter, const Requester& requester) {
+    const MeshHandle& mesh, const MethodChoice& method,
+    Waiter<MethodHandle> waiter, const Requester& requester) {
   // A key must not be NaN.
-  if (method.has_value()) {
-    absl::Status status = Validate(*method);
-    if (!status.ok()) return status;
-  }
-  const uint64_t planned = PlannedBytes(*mesh->mesh, method);
+  if (absl::Status status = Validate(method); !status.ok()) return status;
+  const uint64_t planned = PlannedBytes(*mesh->mesh);
   absl::Status fits = solver_memory_->CheckCapacity(planned);
   if (!fits.ok()) return fits;
   waiter.account = requester.account;
   return jobs_.Join({mesh->digest, method}, std::move(waiter),
                     SolvePriority(requester.is_batch), [&] {
-                      return WorkInMemory<Prepared>(
+                      return WorkInMemory<MethodHandle>(
                           solver_memory_, planned, requester.client,
                           [this, mesh, method](Checkpoint& checkpoint) {
                             return Run(mesh, method, checkpoint);
@@ -52,29 +44,21 @@ absl::StatusOr<MethodJobs::Ticket> MethodEngine::Prepare(
                     });
 }
 
-absl::StatusOr<Prepared> MethodEngine::Run(
-    const MeshHandle& mesh, const std::optional<MethodChoice>& method,
-    Checkpoint& checkpoint) {
-  const TimePoint begin = clock_.Now();
-  const auto seconds = [&] {
-    return std::chrono::duration<double>(clock_.Now() - begin).count();
-  };
-  if (!method.has_value()) {
-    absl::Status status =
-        landmarks_.MakeNow(mesh, Landmarks::kMost, checkpoint);
-    if (!status.ok()) return status;
-    return Prepared{.mesh = mesh, .prepare_seconds = seconds()};
-  }
-  if (std::optional<MethodHandle> found = Find(mesh, *method)) {
+absl::StatusOr<MethodHandle> MethodEngine::Run(const MeshHandle& mesh,
+                                               const MethodChoice& method,
+                                               Checkpoint& checkpoint) {
+  if (std::optional<MethodHandle> found = Find(mesh, method)) {
     return *std::move(found);
   }
-  auto made = Make(*mesh, *method, checkpoint);
+  const TimePoint begin = clock_.Now();
+  auto made = Make(*mesh, method, checkpoint);
   if (!made.ok()) return made.status();
+  const std::chrono::duration<double> took = clock_.Now() - begin;
   absl::StatusOr<MethodHandle> kept =
       meshes_.methods().Insert({.mesh = mesh,
-                                .choice = *method,
+                                .choice = method,
                                 .method = *std::move(made),
-                                .prepare_seconds = seconds()});
+                                .prepare_seconds = took.count()});
   // A mesh that went before now found nothing to take along.
   if (!meshes_.store().Holds(mesh->digest)) {
     meshes_.methods().EraseMesh(mesh->digest);

@@ -326,16 +326,16 @@ class AnswerStream : public Call<ResponseType> {
     AskAfter([&](const Requester& caller,
                  auto done) -> absl::StatusOr<std::function<void()>> {
       MethodEngine& methods = service_.engine.methods();
-      absl::StatusOr<MethodJobs::Ticket> ticket =
-          methods.Prepare(unprepared.mesh, unprepared.choice,
-                          {.done =
-                               [self = this->Shared(this), done](
-                                   const absl::StatusOr<Prepared>& prepared) {
-                                 if (prepared.ok()) self->SetMethod(*prepared);
-                                 done(prepared.status());
-                               },
-                           .progress = nullptr},
-                          caller);
+      absl::StatusOr<MethodJobs::Ticket> ticket = methods.Prepare(
+          unprepared.mesh, unprepared.choice,
+          {.done =
+               [self = this->Shared(this),
+                done](const absl::StatusOr<MethodHandle>& prepared) {
+                 if (prepared.ok()) self->SetMethod(*prepared);
+                 done(prepared.status());
+               },
+           .progress = nullptr},
+          caller);
       if (!ticket.ok()) return ticket.status();
       return [&methods, ticket = *ticket] { methods.Leave(ticket); };
     });

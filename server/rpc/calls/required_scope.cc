@@ -20,7 +20,6 @@ constexpr std::pair<std::string_view, Scope> kRequired[] = {
     {"ComputeMatrix", Scope::kRead},
     {"ComputePairs", Scope::kRead},
     {"FindNearest", Scope::kRead},
-    {"PrepareMethod", Scope::kRead},
     {"GetCapabilities", Scope::kRead},
 };
 

@@ -100,8 +100,7 @@ class Replica:
         test.addCleanup(channel.close)
         self._meshes = self._pb.mesh_service_pb2_grpc.MeshServiceStub(channel)
         self._fields = self._pb.field_service_pb2_grpc.FieldServiceStub(channel)
-        self._methods = self._pb.method_service_pb2_grpc.MethodServiceStub(
-            channel)
+        self._pairs = self._pb.pair_service_pb2_grpc.PairServiceStub(channel)
 
     def metric(self, name):
         """A sample, named with its labels."""
@@ -139,9 +138,9 @@ class Replica:
 
         return self._meshes.CreateMesh(messages(), timeout=60).mesh.digest
 
-    def face_count(self, digest):
+    def describe(self, digest):
         return self._meshes.GetMesh(self._pb.mesh_service_pb2.GetMeshRequest(
-            digest=digest), timeout=60).mesh.face_count
+            digest=digest), timeout=60).mesh
 
     def field(self, digest, vertex, algorithm=0, nearest=False):
         """The bytes of distances and nearest sources."""
@@ -156,10 +155,12 @@ class Replica:
             for message in self._fields.ComputeField(request, timeout=60)
             if message.WhichOneof("part") == "chunk")
 
-    def prepare(self, digest, algorithm):
-        list(self._methods.PrepareMethod(
-            self._pb.method_service_pb2.PrepareMethodRequest(
-                mesh_digest=digest, algorithm=algorithm), timeout=60))
+    def await_landmarks(self, digest):
+        """A question about a pair has them made, or fetched, after it."""
+        list(self._pairs.ComputePairs(
+            self._pb.pair_service_pb2.ComputePairsRequest(
+                mesh_digest=digest, vertex_pairs=[0, 1]), timeout=60))
+        await_that(lambda: self.describe(digest).landmark_count == 64)
 
 
 class SharedTierTest(unittest.TestCase):
@@ -203,7 +204,7 @@ class SharedTierTest(unittest.TestCase):
             for name in ("HEAT", "SVG"):
                 answers.append(replica.field(
                     self.digest, 3, getattr(algorithms, "ALGORITHM_" + name)))
-            replica.prepare(self.digest, 0)  # its landmarks
+            replica.await_landmarks(self.digest)
             return answers
 
         expected = ask(first)
@@ -273,7 +274,7 @@ class SharedTierTest(unittest.TestCase):
         for vertex in range(3):
             self.assertEqual(full.field(self.digest, vertex), truth(vertex))
         self.assertEqual(full.metric("geodesic_meshes_fetched_total"), 1)
-        self.assertEqual(full.face_count(self.digest), len(self.mesh[1]))
+        self.assertEqual(full.describe(self.digest).face_count, len(self.mesh[1]))
         # What it could not keep is not acknowledged.
         for mesh in (self.mesh, bumpy_grid(3)):
             with self.assertRaises(grpc.RpcError) as refused:
