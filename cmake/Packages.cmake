@@ -80,7 +80,7 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
 # What geodesic.connect needs.
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-grpcio, python3-protobuf")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS
-  "python3-distributed, python3-matplotlib, python3-scipy, python3-tqdm")
+  "python3-matplotlib, python3-scipy, python3-tqdm")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
   ${scripts}/python/postinst ${scripts}/python/prerm)
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION "exact geodesic distances on triangle meshes, for Python

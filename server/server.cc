@@ -11,7 +11,6 @@
 #include <grpcpp/server_builder.h>
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -173,13 +172,9 @@ absl::Status Server::OpenStores() {
     if (!opened.ok()) return opened.status();
     durable = *std::move(opened);
   }
-  if (!options_.siblings.empty()) {
-    if (absl::Status status = NameSiblings(); !status.ok()) return status;
-    engine_.meshes().Attach(*siblings_);
-  }
   if (!options_.shared_tier.empty()) {
     if (absl::Status status = OpenSharedTier(); !status.ok()) return status;
-    shared_meshes_.emplace(*shared_tier_, siblings_.get());
+    shared_meshes_.emplace(*shared_tier_);
     engine_.meshes().Attach(*shared_meshes_);
   }
   if (durable != nullptr || shared_tier_ != nullptr) {
@@ -225,34 +220,6 @@ absl::Status Server::OpenSharedTier() {
             logger->warn("shared tier: {}", line);
           }});
   metrics_.Add([this] { return CollectSharedTier(*shared_tier_); });
-  return absl::OkStatus();
-}
-
-absl::Status Server::NameSiblings() {
-  std::shared_ptr<grpc::ChannelCredentials> credentials =
-      grpc::InsecureChannelCredentials();
-  if (!options_.sibling_authorities.empty()) {
-    absl::StatusOr<std::string> authorities =
-        ReadFileText(options_.sibling_authorities);
-    if (!authorities.ok()) return authorities.status();
-    credentials = grpc::SslCredentials({.pem_root_certs = *authorities});
-  }
-  if (const std::string& file = options_.sibling_token_file; !file.empty()) {
-    const absl::Status status = ReadFileText(file).status();
-    if (!status.ok()) return status;
-    if (options_.sibling_authorities.empty() &&
-        !std::all_of(options_.siblings.begin(), options_.siblings.end(),
-                     IsLoopback)) {
-      logger_->warn(
-          "the token in {} goes to siblings in clear: --sibling-ca makes them "
-          "be asked over TLS",
-          file);
-    }
-  }
-  siblings_ = std::make_unique<Siblings>(
-      options_.siblings, credentials,
-      // Siblings refuse whoever comes without, and their words are passed on.
-      [file = options_.sibling_token_file] { return SecretIn(file); });
   return absl::OkStatus();
 }
 

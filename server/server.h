@@ -34,7 +34,6 @@
 #include "server/rpc/calls/peer.h"
 #include "server/rpc/calls/request_log.h"
 #include "server/rpc/calls/service.h"
-#include "server/rpc/siblings.h"
 #include "server/security/access_control.h"
 #include "server/security/quotas.h"
 #include "server/security/tls_copies.h"
@@ -101,7 +100,6 @@ class Server {
   absl::Status OpenStores();
   absl::StatusOr<std::unique_ptr<DurableStore>> OpenDataFolder();
   absl::Status OpenSharedTier();
-  absl::Status NameSiblings();
   // Binds the address and serves.
   absl::Status Listen(std::shared_ptr<grpc::ServerCredentials> credentials);
   absl::Status ReloadTokens();
@@ -124,7 +122,6 @@ class Server {
   Metrics metrics_;
   RequestLog log_;
   ThreadPool pool_;
-  std::unique_ptr<Siblings> siblings_;       // null without any
   std::unique_ptr<RedisBlobs> shared_tier_;  // null without one
   std::optional<SharedMeshes> shared_meshes_;
   QueryEngine engine_;

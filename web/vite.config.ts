@@ -7,7 +7,7 @@ import { viteSingleFile } from "vite-plugin-singlefile";
 
 /** Writes the licences of what is built in beside it. */
 function licenses(): Plugin {
-  const names = ["three", "three-mesh-bvh", "@connectrpc/connect", "@connectrpc/connect-web", "@bufbuild/protobuf"];
+  const names = ["three", "three-mesh-bvh", "meshoptimizer", "@connectrpc/connect", "@connectrpc/connect-web", "@bufbuild/protobuf"];
   const text = (name: string) => {
     const folder = `node_modules/${name}`;
     const { version, license } = JSON.parse(readFileSync(`${folder}/package.json`, "utf8"));

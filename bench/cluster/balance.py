@@ -54,9 +54,11 @@ def main():
             ["--limit", "field-cache=256KiB", "--limit", "field-disk=1"],
             arguments.tier) as (address, replicas, _):
         stubs = geodesic_service.generate_stubs(arguments, folder)
-        clients = [Client(stubs, address) for _ in range(_CHANNELS)]
-        digests = [clients[0].upload(*bumpy_grid(seed, _SIDE))
-                   for seed in range(_MESHES_A_REPLICA * count)]
+        meshes = [bumpy_grid(seed, _SIDE)
+                  for seed in range(_MESHES_A_REPLICA * count)]
+        clients = [Client(stubs, address, meshes=meshes)
+                   for _ in range(_CHANNELS)]
+        digests = [clients[0].upload(*mesh) for mesh in meshes]
         weights = list(itertools.accumulate(
             1 / rank ** arguments.zipf for rank in range(1, len(digests) + 1)))
         answers = [0] * (_ASKERS_A_REPLICA * count)

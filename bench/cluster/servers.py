@@ -40,8 +40,7 @@ def running(server, folder, count, balancer_type=None, flags=(), has_tier=False)
             stack.callback(tier.kill)
             flags += ["--shared-tier", tier.address]
         ports = [(free_port(), free_port()) for _ in range(count)]
-        replicas = [Replica(server, folder, name, pair,
-                            [port for port, _ in ports if port != pair[0]], flags)
+        replicas = [Replica(server, folder, name, pair, flags)
                     for name, pair in zip(string.ascii_lowercase, ports)]
         for replica in replicas:
             replica.start()

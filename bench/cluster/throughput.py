@@ -117,8 +117,9 @@ def measure(name, count, balancer_type, question, arguments, stubs, folder):
                  balancer_type) as (address, replicas, balancer):
         client = Client(stubs, address)
         requests = {}
-        for seed in range(_MESHES):
-            digest = client.upload(*bumpy_grid(seed, question.side))
+        meshes = [bumpy_grid(seed, question.side) for seed in range(_MESHES)]
+        for mesh in meshes:
+            digest = client.upload(*mesh)
             message = question.request(stubs, digest).SerializeToString()
             requests[digest] = os.path.join(folder, digest)
             pathlib.Path(requests[digest]).write_bytes(
@@ -127,7 +128,8 @@ def measure(name, count, balancer_type, question, arguments, stubs, folder):
         # Every server has every mesh, and a field of it: bounded load may send
         # the question to any.
         for replica in replicas:
-            client = Client(stubs, "127.0.0.1:%d" % replica.port)
+            client = Client(stubs, "127.0.0.1:%d" % replica.port,
+                            meshes=meshes)
             for digest in requests:
                 client.field(digest, question.known_vertex)
             client.channel.close()

@@ -58,7 +58,7 @@ struct Nearest {
 };
 
 // Offers the point of the edge from `from` at `a` to `to` at `b`.
-void OfferEdge(const Vector3& a, uint64_t from, const Vector3& b, uint64_t to,
+void OfferEdge(const Vector3& a, uint32_t from, const Vector3& b, uint32_t to,
                Nearest* nearest) {
   const Vector3 along = b - a;
   const double squared_length = Dot(along, along);
@@ -75,7 +75,7 @@ void OfferEdge(const Vector3& a, uint64_t from, const Vector3& b, uint64_t to,
 // Offers the foot of the perpendicular on the face, if it is inside. Its
 // distance is that of the point with these weights, so that a sliver's
 // rounding errors cannot make it look nearer than it is.
-void OfferInside(const std::array<Vector3, 3>& corners, uint64_t face,
+void OfferInside(const std::array<Vector3, 3>& corners, uint32_t face,
                  Nearest* nearest) {
   const auto& [a, b, c] = corners;
   const Vector3 normal = Cross(b - a, c - a);
@@ -106,7 +106,7 @@ absl::StatusOr<SurfacePoint> FindOnMesh(const MeshArrays& mesh,
                                         const NearestPoint& wanted) {
   const Frame frame(mesh, wanted.to);
   Nearest nearest;
-  ForEachSurfaceFace(mesh, [&](uint64_t face, const Triangle&) {
+  ForEachSurfaceFace(mesh, [&](uint32_t face, const Triangle&) {
     const Triangle& triangle = mesh.triangles[face];
     std::array<Vector3, 3> corners;
     for (size_t i = 0; i < 3; ++i) {
@@ -129,15 +129,15 @@ absl::StatusOr<SurfacePoint> FindOnMesh(const MeshArrays& mesh,
 
 absl::StatusOr<SurfacePoint> FindOnMesh(const MeshArrays& mesh,
                                         const ExtremeVertex& wanted) {
-  const auto is_before = [&](uint64_t a, uint64_t b) {
+  const auto is_before = [&](uint32_t a, uint32_t b) {
     const double at_a = mesh.positions[a][wanted.axis];
     const double at_b = mesh.positions[b][wanted.axis];
     if (at_a == at_b) return a < b;
     return wanted.is_greatest ? at_a > at_b : at_a < at_b;
   };
-  std::optional<uint64_t> first;
-  ForEachSurfaceFace(mesh, [&](uint64_t face, const Triangle&) {
-    for (const uint64_t vertex : mesh.triangles[face]) {
+  std::optional<uint32_t> first;
+  ForEachSurfaceFace(mesh, [&](uint32_t face, const Triangle&) {
+    for (const uint32_t vertex : mesh.triangles[face]) {
       if (!first.has_value() || is_before(vertex, *first)) first = vertex;
     }
   });

@@ -22,7 +22,7 @@ void ForEachSurfaceFace(const MeshArrays& mesh, Visit visit) {
     std::iota(into.begin(), into.end(), 0u);
     for (const auto& [vertex, place] : mesh.joined) into[vertex] = place;
   }
-  for (uint64_t face = 0; face < mesh.triangles.size(); ++face) {
+  for (uint32_t face = 0; face < mesh.triangles.size(); ++face) {
     Triangle joined = mesh.triangles[face];
     if (!into.empty()) {
       for (uint32_t& vertex : joined) vertex = into[vertex];

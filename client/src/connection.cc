@@ -131,7 +131,6 @@ Client::Connection::Connection(const std::string& server,
       fields(v1::FieldService::NewStub(channel)),
       paths(v1::PathService::NewStub(channel)),
       matrices(v1::MatrixService::NewStub(channel)),
-      pairs(v1::PairService::NewStub(channel)),
-      methods(v1::MethodService::NewStub(channel)) {}
+      pairs(v1::PairService::NewStub(channel)) {}
 
 }  // namespace geodesic::client

@@ -17,7 +17,6 @@
 #include "geodesic/v1/field_service.grpc.pb.h"
 #include "geodesic/v1/matrix_service.grpc.pb.h"
 #include "geodesic/v1/mesh_service.grpc.pb.h"
-#include "geodesic/v1/method_service.grpc.pb.h"
 #include "geodesic/v1/pair_service.grpc.pb.h"
 #include "geodesic/v1/path_service.grpc.pb.h"
 #include "geodesic_client/client.h"
@@ -36,7 +35,6 @@ struct Client::Connection {
   std::unique_ptr<v1::PathService::Stub> paths;
   std::unique_ptr<v1::MatrixService::Stub> matrices;
   std::unique_ptr<v1::PairService::Stub> pairs;
-  std::unique_ptr<v1::MethodService::Stub> methods;
 };
 
 // The context of one RPC, which it must outlive.

@@ -216,37 +216,6 @@ absl::StatusOr<SampleAnswer> Client::SampleFarthestPoints(
   return answer;
 }
 
-absl::StatusOr<Preparation> Client::Prepare(
-    const PreparationQuery& query, const CallOptions& options,
-    const SolveProgressCallback& progress) {
-  const auto request = MakeRequest<v1::PrepareMethodRequest>(query);
-  if (!request.ok()) return request.status();
-  Preparation preparation;
-  bool has_trailer = false;
-  const auto take =
-      [&](const v1::PrepareMethodResponse& response) -> absl::Status {
-    if (response.has_header()) {
-      ReadHeader(response.header(), &preparation.info);
-    } else if (response.has_progress() && progress != nullptr) {
-      progress(FromProto(response.progress(), preparation.info.vertex_count));
-    } else if (response.has_trailer()) {
-      has_trailer = true;
-      const v1::PrepareMethodTrailer& trailer = response.trailer();
-      preparation.already_prepared = trailer.already_prepared();
-      preparation.bytes = trailer.prepared_bytes();
-      preparation.prepare_seconds = trailer.prepare_seconds();
-    }
-    return absl::OkStatus();
-  };
-  Call call(options, request->mesh_digest());
-  absl::Status status = ReadStream(
-      &call, connection_->methods->PrepareMethod(call.context(), *request),
-      take);
-  if (!status.ok()) return status;
-  if (!has_trailer) return EndedWithin("a preparation");
-  return preparation;
-}
-
 absl::StatusOr<LogMap> Client::ComputeLogMap(
     const LogMapQuery& query, const CallOptions& options,
     const SolveProgressCallback& progress) {

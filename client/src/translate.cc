@@ -166,8 +166,7 @@ Capabilities FromProto(const v1::GetCapabilitiesResponse& response) {
       .field_disk_bytes = limits.field_disk_bytes(),
       .max_queued_jobs_per_client = limits.max_queued_jobs_per_client(),
       .landmark_memory_bytes = limits.landmark_memory_bytes(),
-      .prepared_memory_bytes = limits.prepared_memory_bytes(),
-      .decimated_memory_bytes = limits.decimated_memory_bytes()};
+      .prepared_memory_bytes = limits.prepared_memory_bytes()};
   return capabilities;
 }
 

@@ -192,7 +192,9 @@ absl::StatusOr<UploadOutcome> Client::UploadFile(
     if (mesh.ok()) {
       return UploadOutcome{.mesh = *std::move(mesh), .already_resident = true};
     }
-    // The mesh may have been evicted since it was asked for.
+    // The mesh may have been evicted since it was asked for, or a balancer may
+    // send questions about it to another server than this file: to that one
+    // the file goes.
     if (!absl::IsNotFound(mesh.status())) return mesh.status();
   }
 
@@ -216,8 +218,8 @@ absl::StatusOr<UploadOutcome> Client::UploadFile(
     left -= chunk->size();
     return status;
   };
-  return Send(connection_->meshes.get(), path, header, *sha256, next_chunk,
-              options, progress, connection_->retry);
+  return Send(connection_->meshes.get(), path, header, known->value_or(*sha256),
+              next_chunk, options, progress, connection_->retry);
 }
 
 absl::StatusOr<UploadOutcome> Client::UploadFile(

@@ -294,6 +294,11 @@ inline constexpr double kFarOff = 100;
 // that somebody has chosen.
 inline constexpr double kMostDecimalRounding = 1e-5;
 
+// The rounding of the largest coordinate counts along the other axes, too, as
+// where a mesh was turned far from the origin, but no more of it than this part
+// of the mesh.
+inline constexpr double kMostTurnedRounding = 1e-5;
+
 // Boundary edges are one only if their ends are closer than this part of them
 // by rounding, and this part where a distance is named: an edge that is not
 // longer than what is joined could be joined to its neighbour.

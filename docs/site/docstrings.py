@@ -4,8 +4,8 @@ import ast
 import pathlib
 
 # Beside what `geodesic` itself names.
-_MODULES = {"service": ("Service", "connect"), "dask": ("matrix", "each", "Answers"),
-            "shards": ("open_matrix", "ShardedMatrix"), "asynchronous": ("AsyncMesh",)}
+_MODULES = {"service": ("Service", "connect"), "asynchronous": ("AsyncMesh",),
+            "batches": ("matrix", "open_matrix", "BlockMatrix")}
 
 
 def _signature(node, name):

@@ -183,7 +183,7 @@ class Mesh:
                 f"faces, {self._backend.where()}>")
 
     def __reduce__(self):
-        # So that multiprocessing, joblib and Dask can send it.
+        # So that multiprocessing and joblib can send it.
         if not isinstance(self._backend, LocalBackend):
             raise TypeError("a mesh of a service cannot be pickled; the other "
                             "process can open it by its digest")

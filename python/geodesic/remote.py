@@ -214,7 +214,7 @@ class RemoteBackend:
 
     def __init__(self, stubs: Stubs, mesh: mesh_pb2.Mesh,
                  arrays: Optional[Tuple[np.ndarray, np.ndarray]],
-                 upload: Optional[Callable[[], mesh_pb2.Mesh]],
+                 upload: Optional[Callable[[str], mesh_pb2.Mesh]],
                  of_arrays: Callable[[np.ndarray, np.ndarray],
                                      "RemoteBackend"]) -> None:
         self._stubs = stubs
@@ -349,7 +349,7 @@ class RemoteBackend:
         except NotFound as error:
             if error.reason != "MESH_NOT_RESIDENT" or self._upload is None:
                 raise
-        self._upload()
+        self._upload(self.digest())
         return ask()
 
     def _answer(self, method: Callable, request: Any, options: Options,

@@ -8,7 +8,7 @@ import ipaddress
 import math
 import os
 import pathlib
-from typing import Any, Dict, Iterator, List, Optional, Tuple, Union
+from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple, Union
 
 import grpc
 import grpc.experimental
@@ -19,7 +19,7 @@ from . import _core, inputs
 from .arguments import to_real
 from .calls import Caller
 from .digest import mesh_digest
-from .errors import InvalidArgument
+from .errors import InvalidArgument, NotFound
 from .mesh import Mesh
 from .remote import RemoteBackend, Stubs
 from .v1 import mesh_pb2, mesh_service_pb2
@@ -158,7 +158,7 @@ class Service:
                 "weld: a service joins arrays within a distance: name one (0 for "
                 "equal places), or upload a file")
 
-        def upload() -> mesh_pb2.Mesh:
+        def upload(route: str = digest) -> mesh_pb2.Mesh:
             header = mesh_service_pb2.UploadHeader(
                 format=mesh_pb2.MESH_FORMAT_ARRAYS,
                 size_bytes=kept.nbytes + numbers.nbytes,
@@ -166,7 +166,7 @@ class Service:
                 face_count=len(numbers),
                 weld_distance=distance,
                 expected_digest="" if joins else digest)
-            return self._upload(header, (kept, numbers), digest)
+            return self._upload(header, (kept, numbers), route)
 
         if joins:
             return RemoteBackend(self._stubs, upload(), None, upload,
@@ -176,9 +176,7 @@ class Service:
             self._stubs.meshes.FindMissingMeshes,
             mesh_service_pb2.FindMissingMeshesRequest(
                 mesh_digests=[digest])).missing_mesh_digests
-        mesh = upload() if missing else self._stubs.call(
-            self._stubs.meshes.GetMesh,
-            mesh_service_pb2.GetMeshRequest(digest=digest)).mesh
+        mesh = upload() if missing else self._known(digest, upload)
         return RemoteBackend(self._stubs, mesh, (kept, numbers), upload,
                              self._arrays)
 
@@ -192,33 +190,42 @@ class Service:
             weld_distance=distance,
             keep_seams=not joins)
 
-        def upload() -> mesh_pb2.Mesh:
+        def upload(route: str = file.sha256) -> mesh_pb2.Mesh:
             return self._upload(
                 mesh_service_pb2.UploadHeader(format=file.format,
                                               size_bytes=data.nbytes,
                                               weld_distance=distance,
                                               keep_seams=not joins), (data,),
-                file.sha256)
+                route)
 
         known = self._stubs.call(
             self._stubs.meshes.FindMissingMeshes,
             mesh_service_pb2.FindMissingMeshesRequest(files=[file])).known_files
-        mesh = self._stubs.call(
-            self._stubs.meshes.GetMesh,
-            mesh_service_pb2.GetMeshRequest(
-                digest=known[0].mesh_digest)).mesh if known else upload()
+        mesh = (self._known(known[0].mesh_digest, upload) if known else
+                upload())
         return Mesh._on(
             RemoteBackend(self._stubs, mesh, None, upload, self._arrays))
 
+    def _known(self, digest: str,
+               upload: Callable[[str], mesh_pb2.Mesh]) -> mesh_pb2.Mesh:
+        """A mesh that a server has, if perhaps not the one to which a balancer
+        sends questions about it: then that one gets it."""
+        try:
+            return self._stubs.call(
+                self._stubs.meshes.GetMesh,
+                mesh_service_pb2.GetMeshRequest(digest=digest)).mesh
+        except NotFound:
+            return upload(digest)
+
     def _upload(self, header: mesh_service_pb2.UploadHeader,
                 arrays: Tuple[np.ndarray, ...],
-                digest: str) -> mesh_pb2.Mesh:
-        """Sends a mesh's bytes, again where the connection breaks. `digest`: the
-        mesh's, or the file's."""
+                route: str) -> mesh_pb2.Mesh:
+        """Sends a mesh's bytes, again where the connection breaks. `route`: the
+        mesh's digest or, if that is not known, the file's."""
         return self._stubs.call(
             self._stubs.meshes.CreateMesh,
             functools.partial(_upload_messages, header, arrays),
-            mesh=digest).mesh
+            mesh=route).mesh
 
 
 def _upload_messages(header: mesh_service_pb2.UploadHeader,

@@ -36,7 +36,6 @@
 #include "server/engine/matrices/matrix_engine.h"
 #include "server/engine/meshes/mesh_files.h"
 #include "server/engine/meshes/mesh_library.h"
-#include "server/engine/methods/decimation_engine.h"
 #include "server/engine/methods/graph_files.h"
 #include "server/engine/methods/method_engine.h"
 #include "server/engine/pairs/pair_engine.h"
@@ -102,7 +101,7 @@ struct QuestionCall {
 struct EngineCounters : FieldCounters {
   uint64_t meshes_built = 0;
   uint64_t meshes_loaded = 0;   // from disk
-  uint64_t meshes_fetched = 0;  // from siblings or the shared tier
+  uint64_t meshes_fetched = 0;  // from the shared tier
   PairCounts pairs;
 };
 
@@ -129,7 +128,6 @@ class QueryEngine {
   MeshLibrary& meshes() { return meshes_; }
   SearchEngine& searches() { return searches_; }
   MethodEngine& methods() { return methods_; }
-  DecimationEngine& decimations() { return decimations_; }
   FieldEngine& fields() { return fields_; }
   PairEngine& pairs() { return pairs_; }
   MatrixEngine& matrices() { return matrices_; }
@@ -159,7 +157,6 @@ class QueryEngine {
   const MeshLibrary& meshes() const { return meshes_; }
   const SearchEngine& searches() const { return searches_; }
   const MethodEngine& methods() const { return methods_; }
-  const DecimationEngine& decimations() const { return decimations_; }
   const FieldEngine& fields() const { return fields_; }
   const PairEngine& pairs() const { return pairs_; }
   const Scheduler& scheduler() const { return scheduler_; }
@@ -191,7 +188,6 @@ class QueryEngine {
   MeshLibrary meshes_;
   SearchEngine searches_;
   MethodEngine methods_;
-  DecimationEngine decimations_;
   FieldEngine fields_;
   SoloJobs solo_jobs_;
   PairEngine pairs_;

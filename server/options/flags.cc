@@ -58,18 +58,6 @@ void AddSecurity(CLI::App& app, ServerOptions& options) {
 
 void AddReplicas(CLI::App& app, ServerOptions& options) {
   app.option_defaults()->group("Replicas");
-  app.add_option("--sibling", options.siblings,
-                 "Ask the server there for meshes that this one lacks; may be "
-                 "given several times, also with this server's own address")
-      ->check(&CheckAddress)
-      ->type_name("HOST:PORT");
-  AddText(app, "--sibling-token-file", options.sibling_token_file, "FILE",
-          "Ask siblings with the token in this file; a changed file is taken "
-          "up");
-  AddText(app, "--sibling-ca", options.sibling_authorities, "FILE",
-          "Ask siblings over TLS; their certificates are signed by these "
-          "authorities, in PEM");
-
   AddText(app, "--shared-tier", options.shared_tier, "HOST:PORT",
           "Share fields, what is prepared of meshes, and meshes with other "
           "servers in the Redis there, or at unix:PATH; servers of one version "
@@ -141,8 +129,6 @@ void AddFlags(CLI::App& app, ServerOptions& options) {
        {std::pair{"--web-allow-origin", "--web"},
         {"--web-token-file", "--web"},
         {"--web-port-file", "--web"},
-        {"--sibling-token-file", "--sibling"},
-        {"--sibling-ca", "--sibling"},
         {"--shared-tier-password-file", "--shared-tier"}}) {
     app.get_option(option)->needs(needed);
   }

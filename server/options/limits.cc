@@ -97,9 +97,6 @@ void AddBudgets(CLI::App& app, ServerOptions& options) {
       app, "--prepared-memory", options.limits.prepared_memory_bytes,
       "Memory for what approximate algorithms prepare of meshes; the least "
       "recently used is evicted");
-  AddBytes(app, "--decimated-memory", options.limits.decimated_memory_bytes,
-           "Memory for decimated meshes, 12 bytes a face, for those who draw "
-           "them; the least recently used are evicted");
   AddBytes(app, "--mesh-disk", options.limits.mesh_disk_bytes,
            "Disk for meshes in --data-dir; the least recently used are "
            "evicted");

@@ -39,12 +39,6 @@ struct ServerOptions {
   // Where to write the port that was taken, or the socket's path; empty:
   // nowhere.
   std::string port_file;
-  // HOST:PORT of servers that are asked for meshes which this one lacks.
-  std::vector<std::string> siblings;
-  // The token that they are asked with; empty: none.
-  std::string sibling_token_file;
-  // Who signs their certificates, in PEM; empty: they are asked in clear.
-  std::string sibling_authorities;
   // HOST:PORT or unix:PATH of a Redis that several servers share; empty: none.
   std::string shared_tier;
   // Its password; empty: none.

@@ -1,10 +1,8 @@
 #include "server/rpc/services.h"
 
-#include "server/rpc/streams/decimate_stream.h"
 #include "server/rpc/streams/field_stream.h"
 #include "server/rpc/streams/mesh_streams.h"
 #include "server/rpc/streams/pair_stream.h"
-#include "server/rpc/streams/prepare_stream.h"
 #include "server/rpc/streams/question_streams.h"
 #include "server/rpc/streams/row_stream.h"
 #include "server/rpc/unary_calls.h"
@@ -26,8 +24,7 @@ std::vector<std::unique_ptr<Service>> MakeServices(
   std::vector<std::unique_ptr<Service>> services;
   services.push_back(
       Make<FindMissingCall, UploadStream, GetMeshCall, MeshStream,
-           DecimateStream, ListMeshesCall, DeleteMeshCall>(
-          "geodesic.v1.MeshService", context));
+           ListMeshesCall, DeleteMeshCall>("geodesic.v1.MeshService", context));
   services.push_back(Make<FieldStream, LogMapStream, SampleStream>(
       "geodesic.v1.FieldService", context));
   services.push_back(
@@ -35,7 +32,6 @@ std::vector<std::unique_ptr<Service>> MakeServices(
   services.push_back(
       Make<MatrixStream, NearestStream>("geodesic.v1.MatrixService", context));
   services.push_back(Make<PairStream>("geodesic.v1.PairService", context));
-  services.push_back(Make<PrepareStream>("geodesic.v1.MethodService", context));
   services.push_back(
       Make<CapabilitiesCall>("geodesic.v1.CapabilitiesService", context));
   return services;

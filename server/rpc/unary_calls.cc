@@ -117,7 +117,6 @@ v1::GetCapabilitiesResponse MakeCapabilities(const Limits& limits,
   published.set_field_disk_bytes(limits.field_disk_bytes);
   published.set_landmark_memory_bytes(limits.landmark_memory_bytes);
   published.set_prepared_memory_bytes(limits.prepared_memory_bytes);
-  published.set_decimated_memory_bytes(limits.decimated_memory_bytes);
   return capabilities;
 }
 

@@ -30,9 +30,11 @@ constexpr size_t kConnectionBytes = 64 << 10;
 constexpr size_t kMaxHeaderBytes = 16 << 10;
 
 // The page needs its own files and this server, nothing else; three.js makes
-// images and workers of its own.
+// images of its own, and the page a worker that simplifies meshes in
+// WebAssembly.
 constexpr std::string_view kContentPolicy =
-    "default-src 'none'; script-src 'self'; style-src 'self'; "
+    "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; "
+    "style-src 'self'; "
     "img-src 'self' data: blob:; font-src 'self'; connect-src 'self'; "
     "worker-src 'self' blob:; manifest-src 'self'; base-uri 'none'; "
     "form-action 'none'; frame-ancestors 'none'";

@@ -492,13 +492,13 @@ async function largeSphere(t) {
   return viewer;
 }
 
-test("a large mesh is drawn decimated while it moves, and asked whole", async (t) => {
+test("a large mesh is drawn with fewer faces while it moves, and asked whole", async (t) => {
   const viewer = await largeSphere(t);
   await viewer.settled();
   const [all, drawn] = (await viewer.text("#mesh-size")).match(/\d[\d,]*/g).map((text) => Number(text.replaceAll(",", "")));
   assert.equal(all, 320_000);
   // So many where there is no graphics processor.
-  assert.ok(drawn <= 60_000 && drawn >= 59_998, `${drawn} faces are drawn`);
+  assert.ok(drawn <= 60_000 && drawn >= 59_000, `${drawn} faces are drawn`);
 
   await viewer.click(0.3, 0.2);
   await viewer.solved();

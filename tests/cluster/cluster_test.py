@@ -13,9 +13,7 @@ import http.client
 import itertools
 import os
 import random
-import resource
 import signal
-import socket
 import sys
 import tempfile
 import time
@@ -44,13 +42,13 @@ class ClusterTest(unittest.TestCase):
         self._folder = tempfile.TemporaryDirectory()
         self.addCleanup(self._folder.cleanup)
         folder = self._folder.name
+        self.meshes = [bumpy_grid(seed) for seed in range(MESHES)]
         ports = [(free_port(), free_port()) for _ in range(3)]
         self.tier = Redis(folder, os.path.join(DEPLOY, "redis.conf"))
         self.tier.start()
         self.addCleanup(self.tier.kill)
         self.replicas = [
             Replica(self.arguments.server, folder, name, pair,
-                    [port for port, _ in ports],
                     ["--shared-tier", self.tier.address] + memory.FLAGS)
             for name, pair in zip("abc", ports)
         ]
@@ -64,23 +62,21 @@ class ClusterTest(unittest.TestCase):
                                  self.replicas)
         self.addCleanup(self.balancer.stop)
         await_that(self.accepts)
-        # The mesh that this has uploaded.
-        await_that(lambda: self.copies([self._first])[self._first] >= 2)
-        self.meshes = [bumpy_grid(seed) for seed in range(MESHES)]
 
     def accepts(self):
         try:
-            self._first = self.client().upload(*bumpy_grid(1000))
+            self.client().upload(*bumpy_grid(1000))
             return True
         except grpc.RpcError:
             return False
 
     def client(self):
-        return Client(self.stubs, self.address)
+        return Client(self.stubs, self.address, meshes=self.meshes)
 
     def client_of(self, replica, repeats=True):
         """One that goes past the balancer."""
-        return Client(self.stubs, "127.0.0.1:%d" % replica.port, repeats)
+        return Client(self.stubs, "127.0.0.1:%d" % replica.port, repeats,
+                      self.meshes)
 
     def truth(self, digests, meshes=None, vertices=20):
         """Distances from the first vertices of each mesh, by one undisturbed
@@ -113,7 +109,6 @@ class ClusterTest(unittest.TestCase):
         client = self.client()
         digests = [client.upload(*mesh) for mesh in self.meshes]
         client.channel.close()
-        await_that(lambda: min(self.copies(digests).values()) >= 2)
         self.load = Load(self.client, self.truth(digests))
         try:
             quiet = self.phase("three replicas")
@@ -171,7 +166,6 @@ class ClusterTest(unittest.TestCase):
             await_that(self.accepts)
             client = self.client()
             digests = [client.upload(*mesh) for mesh in self.meshes]
-            await_that(lambda: min(self.copies(digests).values()) >= 2)
             self.load = Load(self.client, self.truth(digests))
             # So few that the disks hold them.
             uploads = Uploads(self.client(), 10_000,
@@ -205,19 +199,22 @@ class ClusterTest(unittest.TestCase):
             truth = self.truth(uploads.acknowledged, [
                 bumpy_grid(number) for number in uploads.acknowledged.values()], 1)
             for digest in uploads.acknowledged:
-                self.assertEqual(client.field(digest, 0)[0], truth[digest][0])
+                self.assertEqual(set(self.answers(digest)), {truth[digest][0]})
             client.channel.close()
             for replica in self.replicas:
                 replica.kill()
 
-    def copies(self, digests):
-        """How many replicas have each mesh."""
-        counts = collections.Counter({digest: 0 for digest in digests})
+    def answers(self, digest):
+        """The field from vertex 0, by each replica that has the mesh."""
+        found = []
         for replica in self.replicas:
-            client = self.client_of(replica)
-            counts.update(set(client.meshes()) & set(digests))
+            client = self.client_of(replica, repeats=False)
+            try:
+                found.append(client.field(digest, 0)[0])
+            except grpc.RpcError as error:
+                self.assertEqual(error.code(), grpc.StatusCode.NOT_FOUND)
             client.channel.close()
-        return counts
+        return found
 
     def check_moves(self, before, after, dead):
         """Only meshes of the dead replica moved (haproxy says who answers)."""
@@ -229,8 +226,9 @@ class ClusterTest(unittest.TestCase):
                 self.assertEqual(after[digest], before[digest])
 
     def test_late_calls_harm_nobody(self):
+        mesh = bumpy_grid(7, side=120)
         client = self.client()
-        digest = client.upload(*bumpy_grid(7, side=120))
+        digest = client.upload(*mesh)
         expected, _ = client.field(digest, 0)
         client.channel.close()
         end = time.monotonic() + 5
@@ -248,7 +246,7 @@ class ClusterTest(unittest.TestCase):
             impatient.channel.close()
 
         def ask():
-            patient = Client(self.stubs, self.address, repeats=False)
+            patient = Client(self.stubs, self.address, meshes=[mesh])
             while time.monotonic() < end:
                 self.assertTrue(patient.field(digest, 0)[0] == expected)
             patient.channel.close()
@@ -260,30 +258,6 @@ class ClusterTest(unittest.TestCase):
                 call.result()
         print("  late calls ended with", dict(late), flush=True)
         self.assertGreater(late[grpc.StatusCode.DEADLINE_EXCEEDED], 0)
-
-    def test_replica_fetches_what_it_lacks_once(self):
-        direct = [self.client_of(replica) for replica in self.replicas]
-        before = [self.fetched(replica) for replica in self.replicas]
-        digest = direct[0].upload(*self.meshes[0])
-        await_that(lambda: self.copies([digest])[digest] >= 2)
-        expected, _ = direct[0].field(digest, 0)
-        with concurrent.futures.ThreadPoolExecutor(16) as pool:
-            answers = list(pool.map(
-                lambda n: direct[n % 3].field(digest, 0)[0], range(24)))
-        self.assertEqual(answers, [expected] * 24)
-        self.assertEqual([self.fetched(replica) - count
-                          for replica, count in zip(self.replicas, before)],
-                         [0, 1, 1])
-        # What nobody has is not found, and costs no fetch.
-        with self.assertRaises(grpc.RpcError) as refused:
-            direct[2].field("0" * 64, 0)
-        self.assertEqual(refused.exception.code(), grpc.StatusCode.NOT_FOUND)
-        # The one that it came to may go.
-        self.replicas[0].kill()
-        self.assertEqual(direct[2].field(digest, 0)[0], expected)
-        self.replicas[0].start()
-        for client in direct:
-            client.channel.close()
 
     def test_answer_under_way_ends_whole_while_its_replica_drains(self):
         mesh = bumpy_grid(3000, 60)
@@ -311,166 +285,6 @@ class ClusterTest(unittest.TestCase):
         self.assertEqual(replica.wait(), 0)
         client.channel.close()
         replica.start()
-
-    def test_sibling_that_lies_is_not_believed(self):
-        vertices, faces, arrays = self.meshes[0]
-        digest = Client.digest_of(vertices, faces, arrays)
-        stubs = self.stubs
-        service = stubs.mesh_service_pb2
-
-        class Liar(stubs.mesh_service_pb2_grpc.MeshServiceServicer):
-            """Sends another mesh of that size, or more than it announced."""
-
-            claimed_vertices = vertices
-
-            def GetMesh(self, request, context):
-                return service.GetMeshResponse(mesh=stubs.mesh_pb2.Mesh(
-                    digest=request.digest, vertex_count=self.claimed_vertices,
-                    face_count=faces))
-
-            def ReadMesh(self, request, context):
-                other = bumpy_grid(2000)[2]
-                yield service.ReadMeshResponse(header=service.ReadMeshHeader(
-                    digest=request.digest, vertex_count=vertices,
-                    face_count=faces))
-                yield service.ReadMeshResponse(vertices=service.VertexChunk(
-                    first_vertex=0, positions=other[:24 * vertices]))
-                while request.digest != digest:
-                    yield service.ReadMeshResponse(
-                        vertices=service.VertexChunk(first_vertex=vertices,
-                                                     positions=b"x" * 2400))
-                yield service.ReadMeshResponse(faces=service.FaceChunk(
-                    first_face=0, indices=other[24 * vertices:]))
-
-        liar = grpc.server(concurrent.futures.ThreadPoolExecutor(4))
-        servicer = Liar()
-        stubs.mesh_service_pb2_grpc.add_MeshServiceServicer_to_server(
-            servicer, liar)
-        port = liar.add_insecure_port("127.0.0.1:0")
-        liar.start()
-        folder = os.path.join(self._folder.name, "deceived")
-        os.mkdir(folder)
-        server = geodesic_service.Server(
-            self.arguments, folder,
-            ["--log-level", "error", "--sibling", "127.0.0.1:%d" % port])
-        client = Client(stubs, server.address, repeats=False)
-        for asked in (digest, "1" * 64):
-            with self.assertRaises(grpc.RpcError) as refused:
-                client.field(asked, 0)
-            self.assertEqual(refused.exception.code(),
-                             grpc.StatusCode.UNAVAILABLE)
-            self.assertIn(asked, refused.exception.details())
-        # It can still be uploaded.
-        self.assertEqual(client.upload(vertices, faces, arrays), digest)
-        self.assertEqual(len(client.field(digest, 0)[0]), 8 * vertices)
-        client.channel.close()
-        self.assertEqual(server.stop(), 0)
-
-        # One that tells the truth is asked after it, whatever the lie.
-        servicer.claimed_vertices = 2**63
-        honest = Client(stubs, "127.0.0.1:%d" % self.replicas[0].port)
-        honest.upload(vertices, faces, arrays)
-        folder = os.path.join(self._folder.name, "consoled")
-        os.mkdir(folder)
-        server = geodesic_service.Server(
-            self.arguments, folder,
-            ["--log-level", "error", "--sibling", "127.0.0.1:%d" % port,
-             "--sibling", "127.0.0.1:%d" % self.replicas[0].port])
-        client = Client(stubs, server.address, repeats=False)
-        self.assertEqual(client.field(digest, 0)[0],
-                         honest.field(digest, 0)[0])
-        client.channel.close()
-        honest.channel.close()
-        self.assertEqual(server.stop(), 0)
-        liar.stop(None)
-
-    def test_full_disk_keeps_nobody_from_an_answer(self):
-        honest = self.client_of(self.replicas[0])
-        digest = honest.upload(*self.meshes[0])
-        full = Replica(self.arguments.server, self._folder.name, "full",
-                       (free_port(), free_port()), [self.replicas[0].port])
-        full.start()
-        self.addCleanup(full.kill)
-        # No file may grow from here on.
-        resource.prlimit(full.pid, resource.RLIMIT_FSIZE, (0, 0))
-        client = self.client_of(full, repeats=False)
-        for vertex in range(3):
-            self.assertEqual(client.field(digest, vertex)[0],
-                             honest.field(digest, vertex)[0])
-        self.assertEqual(self.fetched(full), 1)
-        service = self.stubs.mesh_service_pb2
-        described = self.stubs.mesh_service_pb2_grpc.MeshServiceStub(
-            client.channel).GetMesh(service.GetMeshRequest(digest=digest))
-        self.assertEqual(described.mesh.face_count, self.meshes[0][1])
-        # What it could not keep is not acknowledged.
-        for mesh in (self.meshes[0], self.meshes[1]):
-            with self.assertRaises(grpc.RpcError) as refused:
-                client.upload(*mesh)
-            self.assertIn(refused.exception.code(),
-                          (grpc.StatusCode.RESOURCE_EXHAUSTED,
-                           grpc.StatusCode.UNAVAILABLE))
-        client.channel.close()
-        honest.channel.close()
-
-    def test_mesh_beyond_the_own_limits_is_not_fetched(self):
-        vertices, faces, arrays = self.meshes[0]
-        honest = self.client_of(self.replicas[0])
-        digest = honest.upload(vertices, faces, arrays)
-        honest.channel.close()
-        folder = os.path.join(self._folder.name, "small")
-        os.mkdir(folder)
-        server = geodesic_service.Server(
-            self.arguments, folder,
-            ["--log-level", "error", "--max-faces", str(faces - 1),
-             "--sibling", "127.0.0.1:%d" % self.replicas[0].port])
-        client = Client(self.stubs, server.address, repeats=False)
-        with self.assertRaises(grpc.RpcError) as refused:
-            client.field(digest, 0)
-        self.assertEqual(refused.exception.code(),
-                         grpc.StatusCode.RESOURCE_EXHAUSTED)
-        self.assertIn("max_faces is %d" % (faces - 1),
-                      refused.exception.details())
-        client.channel.close()
-        self.assertEqual(server.stop(), 0)
-
-    def test_sibling_that_is_silent_keeps_nobody(self):
-        silent = socket.socket()  # takes connections, and says nothing
-        silent.bind(("127.0.0.1", 0))
-        silent.listen(16)
-        self.addCleanup(silent.close)
-        folder = os.path.join(self._folder.name, "ignored")
-        os.mkdir(folder)
-        server = geodesic_service.Server(
-            self.arguments, folder,
-            ["--log-level", "error", "--drain-seconds", "0", "--sibling",
-             "127.0.0.1:%d" % silent.getsockname()[1]])
-        client = Client(self.stubs, server.address, repeats=False)
-        with self.assertRaises(grpc.RpcError) as refused:
-            client.field("0" * 64, 0)
-        self.assertEqual(refused.exception.code(),
-                         grpc.StatusCode.UNAVAILABLE)
-        # It is not waited for again, whatever is asked.
-        with concurrent.futures.ThreadPoolExecutor(8) as pool:
-            begin = time.monotonic()
-            codes = set(pool.map(
-                lambda n: self.code_of(client, "%064x" % n), range(64)))
-            self.assertLess(time.monotonic() - begin, 10)
-        self.assertEqual(codes, {grpc.StatusCode.UNAVAILABLE})
-        client.channel.close()
-        begin = time.monotonic()
-        server.stop()
-        self.assertLess(time.monotonic() - begin, 10)
-
-    @staticmethod
-    def code_of(client, digest):
-        try:
-            client.field(digest, 0)
-            return grpc.StatusCode.OK
-        except grpc.RpcError as error:
-            return error.code()
-
-    def fetched(self, replica):
-        return self.metric(replica, "geodesic_meshes_fetched_total")
 
     @staticmethod
     def metric(replica, name):

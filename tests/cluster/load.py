@@ -43,30 +43,40 @@ def is_broken(error):
 
 
 class Client:
-    """Uploads, and asks for fields. Repeats what is broken off, as clients of a
-    service in several replicas do."""
+    """Uploads, and asks for fields. Repeats what is broken off, and sends meshes
+    again that a replica lacks, as clients of a service in several replicas do.
+
+    `meshes` may be sent again, beside those that this has uploaded.
+    """
 
     OPTIONS = [("grpc.use_local_subchannel_pool", 1)]
 
-    def __init__(self, stubs, address, repeats=True):
+    def __init__(self, stubs, address, repeats=True, meshes=()):
         self._stubs = stubs
         self._repeats = repeats
+        self._known = {self.digest_of(*mesh): mesh for mesh in meshes}
         self.channel = grpc.insecure_channel(address, options=self.OPTIONS)
         self._meshes = stubs.mesh_service_pb2_grpc.MeshServiceStub(self.channel)
         self._fields = stubs.field_service_pb2_grpc.FieldServiceStub(
             self.channel)
         self.repeated = 0
 
-    def _repeat(self, call):
+    def _repeat(self, call, mesh=None):
+        """`mesh` is what the call is about, if that may be sent again."""
         end = time.monotonic() + 20
         while True:
             try:
                 return call()
             except grpc.RpcError as error:
-                if (not self._repeats or not is_broken(error) or
-                        time.monotonic() > end):
+                is_missing = (mesh is not None and
+                              error.code() == grpc.StatusCode.NOT_FOUND)
+                if (not self._repeats or time.monotonic() > end or
+                        not (is_missing or is_broken(error))):
                     raise
                 self.repeated += 1
+            if is_missing:
+                self.upload(*mesh)
+            else:
                 time.sleep(0.05)
 
     @staticmethod
@@ -77,6 +87,7 @@ class Client:
 
     def upload(self, vertices, faces, arrays):
         digest = self.digest_of(vertices, faces, arrays)
+        self._known[digest] = vertices, faces, arrays
         service = self._stubs.mesh_service_pb2
 
         def messages():
@@ -90,12 +101,6 @@ class Client:
         self._repeat(lambda: self._meshes.CreateMesh(
             messages(), timeout=30, metadata=(("geo-mesh-digest", digest),)))
         return digest
-
-    def meshes(self):
-        """The digests of the meshes that the server has; at most 1000."""
-        request = self._stubs.mesh_service_pb2.ListMeshesRequest(page_size=1000)
-        return [mesh.digest
-                for mesh in self._meshes.ListMeshes(request, timeout=5).meshes]
 
     def field(self, digest, vertex, timeout=30):
         """The distances' bytes, and the replica that answered."""
@@ -111,7 +116,7 @@ class Client:
             return (b"".join(message.chunk.distances for message in stream
                              if message.WhichOneof("part") == "chunk"), replica)
 
-        return self._repeat(call)
+        return self._repeat(call, self._known.get(digest))
 
 
 def p99(calls):

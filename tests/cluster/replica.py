@@ -11,10 +11,10 @@ from waiting import await_that
 class Replica:
     """A geodesicd with fixed ports, which may be killed and started again.
 
-    `siblings` are ports; `flags` go to geodesicd as they are.
+    `flags` go to geodesicd as they are.
     """
 
-    def __init__(self, server, folder, name, ports, siblings, flags=()):
+    def __init__(self, server, folder, name, ports, flags=()):
         self.name = name
         self.port, self.ready_port = ports
         self.folder = os.path.join(folder, name)
@@ -23,8 +23,7 @@ class Replica:
             "--metrics-listen", "127.0.0.1:%d" % self.ready_port,
             "--data-dir", self.folder, "--threads", "1",
             "--log-level", "error",
-        ] + [flag for port in siblings
-             for flag in ("--sibling", "127.0.0.1:%d" % port)] + list(flags)
+        ] + list(flags)
         self._process = None
 
     def start(self):

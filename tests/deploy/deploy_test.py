@@ -138,7 +138,6 @@ class ComposeTest(DeployTest):
             flags = collections.defaultdict(set)
             for name, _, value in (f.partition("=") for f in service["command"]):
                 flags[name].add(value)
-            self.assertEqual(flags.pop("--sibling"), addresses)
             tier, port = flags.pop("--shared-tier").pop().split(":")
             self.assertEqual((port, dict(flags)), ("6379", {}))
             self.assertIn("redis", self.compose["services"][tier]["image"])
@@ -244,7 +243,7 @@ class KubernetesTest(DeployTest):
         pods = [template for (kind, _), part in self.objects.items()
                 if kind in ("StatefulSet", "Deployment")
                 for template in [part["spec"]["template"]]]
-        self.assertEqual(len(pods), 2)
+        self.assertEqual(len(pods), 3)
 
         def ports_of(labels):
             found = [pod for pod in pods
@@ -277,7 +276,7 @@ class KubernetesTest(DeployTest):
         spec = self.pods("StatefulSet", "geodesicd")["spec"]
         container = spec["containers"][0]
         environment = {item["name"]: item["value"] for item in container["env"]}
-        self.check_settings(container["args"], environment)
+        self.check_settings([], environment)
         self.assertLess(int(environment["GEODESICD_DRAIN_SECONDS"]),
                         spec["terminationGracePeriodSeconds"])
         self.assertEqual(container["resources"]["requests"]["cpu"],
@@ -300,8 +299,9 @@ class KubernetesTest(DeployTest):
         self.assertEqual(self.objects["Service", service]["spec"]["clusterIP"],
                          "None")
         names = [f"geodesicd-{n}.{service}" for n in range(scaler["maxReplicas"])]
-        self.assertEqual(container["args"],
-                         [f"--sibling={name}:50051" for name in names])
+        tier, port = environment["GEODESICD_SHARED_TIER"].split(":")
+        self.assertIn(int(port), [
+            told["port"] for told in self.objects["Service", tier]["spec"]["ports"]])
         servers = self.check_haproxy(self.folder / "haproxy.cfg")
         self.assertEqual(
             [address for _, address in servers],

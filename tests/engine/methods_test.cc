@@ -26,7 +26,7 @@ constexpr MethodChoice kGraph = {.method = ApproximateMethod::kSvg,
 
 class MethodsTest : public DurableEngineTest {
  protected:
-  using Told = std::optional<absl::StatusOr<Prepared>>;
+  using Told = std::optional<absl::StatusOr<MethodHandle>>;
 
   void SetUp() override {
     DurableEngineTest::SetUp();
@@ -51,10 +51,11 @@ class MethodsTest : public DurableEngineTest {
                                          std::shared_ptr<Told> told) {
     return engine().methods().Prepare(
         mesh_, choice,
-        {.done = [told](const absl::StatusOr<Prepared>& p) { *told = p; }}, {});
+        {.done = [told](const absl::StatusOr<MethodHandle>& p) { *told = p; }},
+        {});
   }
 
-  absl::StatusOr<Prepared> Prepare(const MethodChoice& choice) {
+  absl::StatusOr<MethodHandle> Prepare(const MethodChoice& choice) {
     const auto told = std::make_shared<Told>();
     const auto ticket = Ask(choice, told);
     if (!ticket.ok()) return ticket.status();
@@ -180,7 +181,7 @@ TEST_F(MethodsTest, ApproximateFieldsRefuseWhatTheyCannotDo) {
 }
 
 TEST_F(MethodsTest, GraphsOutliveTheServer) {
-  const absl::StatusOr<Prepared> built = Prepare(kGraph);
+  const absl::StatusOr<MethodHandle> built = Prepare(kGraph);
   ASSERT_TRUE(built.ok()) << built.status();
   const std::vector<double> distances = FieldBy(kGraph).field->distances;
   EXPECT_EQ(engine().methods().made(), 1);

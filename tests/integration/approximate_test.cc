@@ -132,48 +132,28 @@ TEST_F(ApproximateTest, PairsAreNearAndCounted) {
 }
 
 TEST_F(ApproximateTest, WhatIsPreparedIsTold) {
-  uint64_t most = 0;
-  const absl::StatusOr<Preparation> made = client_.Prepare(
-      {.mesh_digest = digest_,
-       .algorithm = "svg",
-       .approximation = {.neighbours = 10}},
-      {}, [&](const SolveProgress& p) { most = p.vertices_reached; });
-  ASSERT_TRUE(made.ok()) << made.status();
-  EXPECT_FALSE(made->already_prepared);
-  EXPECT_GT(made->bytes, vertex_count_);
-  EXPECT_LE(most, vertex_count_);
-  EXPECT_EQ(made->info.approximation->neighbours, 10);
-  EXPECT_TRUE(client_
-                  .Prepare({.mesh_digest = digest_,
-                            .algorithm = "svg",
-                            .approximation = {.neighbours = 10}})
-                  ->already_prepared);
-  const absl::StatusOr<MeshInfo> mesh = client_.GetMesh(digest_);
-  ASSERT_THAT(mesh->prepared_methods, SizeIs(1));
-  EXPECT_EQ(mesh->prepared_methods[0].algorithm, "svg");
-  EXPECT_EQ(mesh->prepared_methods[0].approximation.neighbours, 10);
-  EXPECT_EQ(mesh->prepared_methods[0].bytes, made->bytes);
-
-  EXPECT_EQ(mesh->landmark_count, 0);
-  ASSERT_TRUE(client_.Prepare({.mesh_digest = digest_}).ok());
-  EXPECT_EQ(client_.GetMesh(digest_)->landmark_count, 64);
-  EXPECT_TRUE(client_.Prepare({.mesh_digest = digest_})->already_prepared);
+  FieldQuery query = {.mesh_digest = digest_,
+                      .sources = {{VertexPoint{0}}},
+                      .algorithm = "svg",
+                      .approximation = {.neighbours = 10}};
+  for (int i = 0; i < 2; ++i) {
+    const absl::StatusOr<Field> field = client_.ComputeField(query);
+    ASSERT_TRUE(field.ok()) << field.status();
+    EXPECT_EQ(field->approximation->neighbours, 10);
+    const absl::StatusOr<MeshInfo> mesh = client_.GetMesh(digest_);
+    ASSERT_THAT(mesh->prepared_methods, SizeIs(1));
+    EXPECT_EQ(mesh->prepared_methods[0].algorithm, "svg");
+    EXPECT_EQ(mesh->prepared_methods[0].approximation.neighbours, 10);
+    EXPECT_GT(mesh->prepared_methods[0].bytes, vertex_count_);
+  }
 }
 
-TEST_F(ApproximateTest, CommandsPrepareAndTell) {
-  const json made =
-      GeodesicJson({"prepare", grid_, "--algorithm", "heat", "--lambda", "4"});
-  EXPECT_EQ(made["prepared"], "heat");
-  EXPECT_EQ(made["parameters"]["lambda"], 4);
-  EXPECT_EQ(made["already_prepared"], false);
-  EXPECT_GT(made["bytes"], 0);
+TEST_F(ApproximateTest, CommandsTellWhatIsPrepared) {
+  Geodesic({"field", grid_, "-s", "0", "-a", "heat", "--lambda", "4"});
   const json info = GeodesicJson({"info", grid_});
   ASSERT_EQ(info["prepared"].size(), 1);
   EXPECT_EQ(info["prepared"][0]["algorithm"], "heat");
   EXPECT_THAT(Geodesic({"info", grid_}).out, HasSubstr("heat, lambda 4"));
-  EXPECT_THAT(Geodesic({"prepare", grid_, "-a", "heat", "--lambda", "4"}).out,
-              HasSubstr("it was there already"));
-  EXPECT_THAT(Geodesic({"prepare", grid_}).out, HasSubstr("landmarks"));
 }
 
 TEST_F(ApproximateTest, ReportsAndFilesAreMarked) {

@@ -65,6 +65,24 @@ class HeldDiskTest : public ::testing::Test {
     }));
   }
 
+  // Restarts the server once so many fields and graphs are kept, and has it
+  // load the mesh.
+  void RestartWith(uint32_t kept, const std::string& digest) {
+    const std::filesystem::path fields =
+        std::filesystem::path(folder_ / "data") / "fields";
+    ASSERT_TRUE(test::Until([&] {
+      uint32_t count = 0;
+      for (const auto& file : std::filesystem::directory_iterator(fields)) {
+        count += file.path().extension() == ".field";
+      }
+      return count == kept;
+    }));
+    server_->Terminate();
+    ASSERT_EQ(server_->Wait(), 0);
+    Start();
+    ASSERT_TRUE(Ask(digest, 100).get().ok());
+  }
+
   std::future<absl::StatusOr<UploadOutcome>> Upload(int side) const {
     return std::async(std::launch::async, [this, side] {
       return Client(server_->address(), {.retry = false})
@@ -114,20 +132,7 @@ TEST_F(HeldDiskTest, FieldsThatAreReadHoldUpNobodyElse) {
   for (uint32_t source = 0; source < kKept; ++source) {
     ASSERT_TRUE(Ask(digest, source).get().ok());
   }
-  const std::filesystem::path fields =
-      std::filesystem::path(folder_ / "data") / "fields";
-  ASSERT_TRUE(test::Until([&] {
-    uint32_t kept = 0;
-    for (const auto& file : std::filesystem::directory_iterator(fields)) {
-      kept += file.path().extension() == ".field";
-    }
-    return kept == kKept;
-  }));
-  server_->Terminate();
-  ASSERT_EQ(server_->Wait(), 0);
-  Start();
-  // Loads the mesh.
-  ASSERT_TRUE(Ask(digest, 100).get().ok());
+  RestartWith(kKept, digest);
   Hold();
   std::vector<std::future<absl::StatusOr<Field>>> kept;
   for (uint32_t source = 0; source < kKept; ++source) {
@@ -142,6 +147,32 @@ TEST_F(HeldDiskTest, FieldsThatAreReadHoldUpNobodyElse) {
     ASSERT_TRUE(field.ok()) << field.status();
     EXPECT_EQ(field->origin, FieldOrigin::kCached);
   }
+}
+
+TEST_F(HeldDiskTest, GraphsThatAreReadHoldUpNobodyElse) {
+  const auto mesh = Upload(40).get();
+  ASSERT_TRUE(mesh.ok()) << mesh.status();
+  const std::string& digest = mesh->mesh.digest;
+  // As many graphs as threads that compute.
+  const auto ask = [&](uint32_t neighbours, uint32_t source) {
+    return std::async(std::launch::async, [this, digest, neighbours, source] {
+      return Client(server_->address(), {.retry = false})
+          .ComputeField({.mesh_digest = digest,
+                         .sources = {{VertexPoint{source}}},
+                         .algorithm = "svg",
+                         .approximation = {.neighbours = neighbours}});
+    });
+  };
+  ASSERT_TRUE(ask(10, 0).get().ok());
+  ASSERT_TRUE(ask(11, 0).get().ok());
+  RestartWith(4, digest);
+  Hold();
+  auto first = ask(10, 1), second = ask(11, 1);
+  AwaitHeld(2);
+  EXPECT_TRUE(Ask(digest, 101).get().ok());
+  Release();
+  EXPECT_TRUE(first.get().ok());
+  EXPECT_TRUE(second.get().ok());
 }
 
 TEST_F(HeldDiskTest, TheServerEndsAllTheSame) {

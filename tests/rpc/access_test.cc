@@ -195,17 +195,17 @@ TEST_F(FairnessTest, OneClientCannotFillTheQueue) {
   for (const auto& call : admitted) EXPECT_TRUE(call->End().ok());
 }
 
-TEST_F(AccessTest, AServerWithoutItsTokenForSiblingsDoesNotStart) {
+TEST_F(AccessTest, AServerWithoutThePasswordOfItsTierDoesNotStart) {
   ServerOptions options = SmallServer();
-  options.siblings = {"127.0.0.1:9"};
-  options.sibling_token_file = folder_ / "missing";
+  options.shared_tier = "127.0.0.1:9";
+  options.shared_tier_password_file = folder_ / "missing";
   const auto logger = std::make_shared<spdlog::logger>(
       "test", std::make_shared<spdlog::sinks::null_sink_mt>());
   const absl::Status status =
       Server(options, logger, &StartComputation).Start();
   EXPECT_TRUE(absl::IsNotFound(status)) << status;
   EXPECT_THAT(std::string(status.message()),
-              HasSubstr(options.sibling_token_file));
+              HasSubstr(options.shared_tier_password_file));
 }
 
 TEST(PeerHost, IsTheAddressWithoutThePort) {

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <string>
 #include <vector>
 
@@ -50,58 +49,7 @@ class MeshRpcTest : public test::RpcTest {
     EXPECT_FALSE(reader->Read(&message));
     return reader->Finish();
   }
-  grpc::Status DecimateMesh(const std::string& digest, uint64_t max_faces,
-                            std::vector<Triangle>& triangles) {
-    grpc::ClientContext context;
-    v1::DecimateMeshRequest request;
-    request.set_digest(digest);
-    request.set_max_faces(max_faces);
-    const auto reader = meshes_->DecimateMesh(&context, request);
-    v1::DecimateMeshResponse message;
-    while (reader->Read(&message)) {
-      if (message.has_header()) {
-        EXPECT_TRUE(triangles.empty());
-        EXPECT_EQ(message.header().digest(), digest);
-        triangles.reserve(message.header().face_count());
-        continue;
-      }
-      const std::string& bytes = message.faces().indices();
-      EXPECT_EQ(message.faces().first_face(), triangles.size());
-      const size_t first = triangles.size();
-      triangles.resize(first + bytes.size() / sizeof(Triangle));
-      std::memcpy(triangles.data() + first, bytes.data(), bytes.size());
-    }
-    EXPECT_EQ(triangles.capacity(), triangles.size()) << "as the header said";
-    return reader->Finish();
-  }
 };
-
-TEST_F(MeshRpcTest, DecimatesAMesh) {
-  const TriangleSoup soup = geodesic::test::Icosphere(6);
-  const std::string digest = Upload(soup);
-  std::vector<Triangle> whole, coarse, again;
-  ASSERT_TRUE(DecimateMesh(digest, 1'000'000, whole).ok());
-  EXPECT_EQ(whole, soup.triangles) << "in several chunks";
-  ASSERT_TRUE(DecimateMesh(digest, 5000, coarse).ok());
-  EXPECT_LE(coarse.size(), 5000);
-  EXPECT_GE(coarse.size(), 4998);
-  ASSERT_TRUE(DecimateMesh(digest, 5000, again).ok());
-  EXPECT_EQ(again, coarse);
-}
-
-TEST_F(MeshRpcTest, DecimatesNothingElse) {
-  const std::string digest = Upload(test::Tetrahedron());
-  std::vector<Triangle> none;
-  EXPECT_EQ(DecimateMesh(kUnknown, 10, none).error_code(),
-            grpc::StatusCode::NOT_FOUND);
-  const grpc::Status malformed = DecimateMesh("horse", 10, none);
-  EXPECT_EQ(malformed.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
-  EXPECT_EQ(FieldAtFault(malformed), "digest");
-  const grpc::Status no_limit = DecimateMesh(digest, 0, none);
-  EXPECT_EQ(no_limit.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
-  EXPECT_EQ(FieldAtFault(no_limit), "max_faces");
-  EXPECT_TRUE(none.empty());
-}
 
 TEST_F(MeshRpcTest, DescribesAMesh) {
   const TriangleSoup soup = geodesic::test::Torus({.around = 12, .across = 8});

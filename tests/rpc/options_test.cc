@@ -135,11 +135,9 @@ TEST_F(OptionsTest, TheSharedTier) {
 }
 
 TEST_F(OptionsTest, WhatWouldDoNothingIsRefused) {
-  ExpectUsageError({"--sibling-token-file", "token"},
-                   "--sibling-token-file requires --sibling");
-  SetVariable("GEODESICD_SIBLING_CA", "ca.pem");
-  ExpectUsageError({}, "--sibling-ca requires --sibling");
-  SetVariable("GEODESICD_SIBLING", "127.0.0.1:50052");
+  SetVariable("GEODESICD_SHARED_TIER_PASSWORD_FILE", "word");
+  ExpectUsageError({}, "--shared-tier-password-file requires --shared-tier");
+  SetVariable("GEODESICD_SHARED_TIER", "127.0.0.1:6379");
   EXPECT_FALSE(Parse({}).exit_code.has_value()) << err_;
 }
 

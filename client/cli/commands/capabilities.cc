@@ -50,8 +50,6 @@ constexpr std::array kLimits = {
           &ServerLimits::landmark_memory_bytes, ByteCount},
     Limit{"prepared_memory_bytes", "prepared memory",
           &ServerLimits::prepared_memory_bytes, ByteCount},
-    Limit{"decimated_memory_bytes", "decimated memory",
-          &ServerLimits::decimated_memory_bytes, ByteCount},
     Limit{"mesh_disk_bytes", "mesh disk", &ServerLimits::mesh_disk_bytes,
           ByteCount},
     Limit{"field_disk_bytes", "field disk", &ServerLimits::field_disk_bytes,

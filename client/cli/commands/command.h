@@ -92,7 +92,6 @@ Command MatrixCommand();
 Command MeshesCommand();
 Command NearestCommand();
 Command PathCommand();
-Command PrepareCommand();
 Command SampleCommand();
 Command ServerCommand();
 Command UploadCommand();

@@ -299,9 +299,6 @@ class PairRun {
 
   // Goes on after the last distance that came, on the mesh with this digest.
   absl::Status GoOn(const std::string& digest) {
-    absl::Status prepared = PrepareMesh(session_, digest, arguments_.algorithm,
-                                        arguments_.approximation);
-    if (!prepared.ok()) return prepared;
     PlaceFinder finder(
         [&] { return session_.client.ReadMesh(digest, session_.call); });
     for (;;) {

@@ -31,7 +31,7 @@ absl::StatusOr<std::vector<std::string>> NotesOnSources(
   if (vertices.empty()) return std::vector<std::string>();
   absl::StatusOr<MeshInfo> info =
       session.client.GetMesh(mesh_digest, session.call);
-  // A sibling of the server may have it, which the question fetches.
+  // The shared tier may have it, from which the question fetches it.
   if (absl::IsNotFound(info.status())) return std::vector<std::string>();
   if (!info.ok()) return info.status();
   if (info->isolated_vertex_count == 0) return std::vector<std::string>();

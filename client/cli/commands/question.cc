@@ -8,7 +8,6 @@
 #include "client/cli/commands/mesh_argument.h"
 #include "client/cli/commands/notes.h"
 #include "client/cli/commands/outputs.h"
-#include "client/cli/commands/stopwatch.h"
 #include "client/cli/terminal/exit_code.h"
 #include "client/output/atomic_file.h"
 #include "client/output/place_text.h"
@@ -78,8 +77,8 @@ double LengthOf(const Curve& curve, const MeshArrays& mesh) {
   return length;
 }
 
-// Measures the curves, for which it reads the mesh. Where only a sibling of the
-// server has that, which the question fetches, they have no length.
+// Measures the curves, for which it reads the mesh. Where only the shared tier
+// has that, from which the question fetches it, they have no length.
 absl::Status MeasureCurves(const Session& session, Question* question) {
   std::optional<MeshArrays> mesh;
   for (size_t i = 0; i < question->sources.size(); ++i) {
@@ -136,23 +135,8 @@ absl::Status AskQuestion(
         NotesOnSources(session, digest, question->sources);
     if (!notes.ok()) return notes.status();
     question->notes = *std::move(notes);
-    absl::Status status = PrepareMesh(session, digest, arguments.algorithm,
-                                      arguments.approximation);
-    return status.ok() ? answer(*question) : status;
+    return answer(*question);
   });
-}
-
-absl::Status PrepareMesh(const Session& session, const std::string& mesh_digest,
-                         const std::string& algorithm,
-                         const Approximation& approximation) {
-  if (!IsApproximate(algorithm)) return absl::OkStatus();
-  Stopwatch watch(session);
-  return session.client
-      .Prepare({.mesh_digest = mesh_digest,
-                .algorithm = algorithm,
-                .approximation = approximation},
-               session.call, watch.OnPrepare("preparing"))
-      .status();
 }
 
 }  // namespace geodesic::client

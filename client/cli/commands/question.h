@@ -18,12 +18,6 @@
 
 namespace geodesic::client {
 
-// Prepares the mesh for an approximate algorithm, with progress. Does nothing
-// for an exact one. Errors: those of Client::Prepare.
-absl::Status PrepareMesh(const Session& session, const std::string& mesh_digest,
-                         const std::string& algorithm,
-                         const Approximation& approximation);
-
 // A question about a mesh, before it is sent.
 struct Question {
   std::string mesh_digest;
@@ -38,10 +32,10 @@ struct Question {
 
 // Reads the lists of --sources and --targets, checks that the outputs can be
 // written, makes the mesh resident, finds the places on it that are written by
-// what they are near to, prepares it for an approximate algorithm, and calls
-// `answer`, with notes on the sources (notes.h). If the server has evicted the
-// mesh meanwhile, it uploads the mesh and asks once more. Errors: FileErrors,
-// those of AskAboutMesh, PlaceFinder and `answer`.
+// what they are near to, and calls `answer`, with notes on the sources
+// (notes.h). If the server has evicted the mesh meanwhile, it uploads the mesh
+// and asks once more. Errors: FileErrors, those of AskAboutMesh, PlaceFinder
+// and `answer`.
 absl::Status AskQuestion(
     const Session& session, const QuestionArguments& arguments,
     const std::function<absl::Status(const Question&)>& answer);

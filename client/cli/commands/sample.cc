@@ -110,20 +110,20 @@ Report ReportOf(const Session& session, const SampleAnswer& answer,
 }
 
 // The first vertex of the surface: from others nothing is reached.
-absl::StatusOr<uint64_t> FirstOnSurface(const Session& session,
+absl::StatusOr<uint32_t> FirstOnSurface(const Session& session,
                                         const std::string& mesh_digest) {
   const absl::StatusOr<MeshInfo> info =
       session.client.GetMesh(mesh_digest, session.call);
-  // A sibling of the server may have it, which the question fetches.
+  // The shared tier may have it, from which the question fetches it.
   if (absl::IsNotFound(info.status())) return 0;
   if (!info.ok()) return info.status();
   if (info->isolated_vertex_count == 0) return 0;
   const absl::StatusOr<MeshArrays> mesh =
       session.client.ReadMesh(mesh_digest, session.call);
   if (!mesh.ok()) return mesh.status();
-  uint64_t first = std::numeric_limits<uint64_t>::max();
-  ForEachSurfaceFace(*mesh, [&first](uint64_t, const Triangle& corners) {
-    first = std::min<uint64_t>(first, std::ranges::min(corners));
+  uint32_t first = std::numeric_limits<uint32_t>::max();
+  ForEachSurfaceFace(*mesh, [&first](uint32_t, const Triangle& corners) {
+    first = std::min(first, std::ranges::min(corners));
   });
   return first;
 }
@@ -132,7 +132,7 @@ absl::Status Answer(const SampleArguments& arguments, const Session& session,
                     const Question& asked) {
   Question question = asked;
   if (question.sources.empty()) {
-    const absl::StatusOr<uint64_t> first =
+    const absl::StatusOr<uint32_t> first =
         FirstOnSurface(session, question.mesh_digest);
     if (!first.ok()) return first.status();
     question.sources.push_back({.place = VertexPoint{*first}});

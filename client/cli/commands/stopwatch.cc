@@ -28,15 +28,6 @@ SolveProgressCallback Stopwatch::OnSolve(bool is_exact) {
   };
 }
 
-SolveProgressCallback Stopwatch::OnPrepare(const std::string& what) {
-  return [this, what](const SolveProgress& progress) {
-    display_.Update(
-        Clock::now(), what, PartReached(progress),
-        absl::StrCat(GroupedNumber(progress.vertices_reached), " of ",
-                     GroupedNumber(progress.vertex_count), " vertices"));
-  };
-}
-
 std::function<void(uint64_t, uint64_t)> Stopwatch::OnCount(
     const std::string& what) {
   return [this, what](uint64_t finished, uint64_t total) {

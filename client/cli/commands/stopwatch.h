@@ -25,8 +25,6 @@ class Stopwatch {
   // The callbacks must not outlive the Stopwatch. `is_exact`: not within a
   // tolerance.
   SolveProgressCallback OnSolve(bool is_exact = true);
-  // The same for what is done before a question: `what`, e.g. "preparing".
-  SolveProgressCallback OnPrepare(const std::string& what);
   // `what` names the counted things, in the plural.
   std::function<void(uint64_t, uint64_t)> OnCount(const std::string& what);
 

@@ -47,8 +47,6 @@ struct ServerLimits {
   uint64_t landmark_memory_bytes = 0;
   // Memory for what approximate algorithms prepare.
   uint64_t prepared_memory_bytes = 0;
-  // Memory for decimated meshes.
-  uint64_t decimated_memory_bytes = 0;
 };
 
 // What a server can do.

@@ -30,7 +30,6 @@
 #include "geodesic_client/field.h"
 #include "geodesic_client/mesh.h"
 #include "geodesic_client/pairs.h"
-#include "geodesic_client/preparation.h"
 #include "geodesic_client/questions.h"
 #include "geodesic_types/mesh_format.h"
 
@@ -185,15 +184,6 @@ class Client {
   // The surface around a point, laid into the plane.
   absl::StatusOr<LogMap> ComputeLogMap(
       const LogMapQuery& query, const CallOptions& options = {},
-      const SolveProgressCallback& progress = nullptr);
-
-  // Makes what questions with this algorithm need, unless it is there. The
-  // first of them does so too, but without progress. Those that ask for the
-  // same at once share the work. Errors: INVALID_ARGUMENT for an algorithm that
-  // has nothing to prepare, a parameter out of range, or a mesh that the
-  // algorithm cannot do; NOT_FOUND, RESOURCE_EXHAUSTED as for questions.
-  absl::StatusOr<Preparation> Prepare(
-      const PreparationQuery& query, const CallOptions& options = {},
       const SolveProgressCallback& progress = nullptr);
 
   // What the server can do and where its limits are.

@@ -28,7 +28,8 @@ struct Welding {
     // what computing the same place twice may add.
     kSeams,
     kNone,
-    kWithin,  // whose ends lie within `distance`; 0: whose ends are equal
+    // Those too whose ends lie within `distance`; 0: whose ends are equal.
+    kWithin,
   };
 
   Kind kind = Kind::kSeams;

@@ -1,178 +1,24 @@
 #include "geodesic/join_seams.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "absl/container/flat_hash_map.h"
+#include "absl/container/flat_hash_set.h"
+#include "absl/functional/function_ref.h"
 #include "absl/strings/str_cat.h"
 #include "mesh/boundary_edges.h"
 #include "mesh/close_edges.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/locality.h"
+#include "mesh/rounding.h"
 #include "tolerances.h"
 
 namespace geodesic {
 namespace {
-
-// What the coordinates of some vertices are made of.
-class Coordinates {
- public:
-  void Add(const Point& point) {
-    for (const double x : point) {
-      largest_ = std::max(largest_, std::abs(x));
-      float_error_ =
-          std::max(float_error_, std::abs(x - static_cast<float>(x)));
-    }
-  }
-  // Of some of them.
-  void AddDigits(const Point& point) {
-    for (const double x : point) {
-      if (x != 0) AddDigits(x);
-    }
-  }
-
-  // How far apart places may be that are one: along an axis, by what computing
-  // them in a mesh of this extent and writing them down adds.
-  double Rounding(double extent, bool is_single) const {
-    if (largest_ == 0) return 0;
-    const double unit = DecimalUnit(extent);
-    const bool are_floats = float_error_ <= kWrittenTwice * unit / 2;
-    const double epsilon = is_single || are_floats
-                               ? std::numeric_limits<float>::epsilon()
-                               : std::numeric_limits<double>::epsilon();
-    return kWrittenTwice * std::max({kComputedTwice * extent * epsilon,
-                                     largest_ * epsilon, unit});
-  }
-
- private:
-  // Digits of a double that differ from those of its neighbours.
-  static constexpr int kAllDigits = std::numeric_limits<double>::digits10;
-  static constexpr int kMostDecimals = 40;
-
-  // A unit of the last digit, if the numbers were rounded to decimal ones: then
-  // most of them have as many digits, or as many behind the point, as any. 0
-  // where such digits were chosen, or the numbers are binary.
-  double DecimalUnit(double extent) const {
-    if (count_ == 0) return 0;
-    const auto last_used = [](const auto& counts) {
-      return static_cast<int>(std::find_if(counts.rbegin(), counts.rend(),
-                                           [](auto n) { return n > 0; }) -
-                              counts.rbegin());
-    };
-    const int digits = kAllDigits + 2 - last_used(by_digits_);
-    const int decimals = kMostDecimals - last_used(by_decimals_);
-    double unit = 0;
-    if (digits > kAllDigits) {
-      return 0;
-    }
-    if (2 * by_decimals_[decimals] >= count_) {
-      unit = std::pow(10.0, -decimals);
-    } else if (2 * by_digits_[digits] >= count_) {
-      const double first = std::floor(std::log10(largest_));
-      unit = std::pow(10.0, first + 1 - digits);
-    }
-    return unit <= kMostDecimalRounding * extent ? unit : 0;
-  }
-
-  // Of the shortest decimal number that reads as x: the one that a text has
-  // holds no fewer.
-  void AddDigits(double x) {
-    if (has_all_digits_) return;  // so there is no unit
-    std::array<char, 32> text;
-    const char* const end =
-        std::to_chars(text.data(), text.data() + text.size(), std::abs(x),
-                      std::chars_format::scientific)
-            .ptr;
-    const char* const exponent = std::find<const char*>(text.data(), end, 'e');
-    // Without the point.
-    const int digits =
-        std::max(static_cast<int>(exponent - text.data()) - 1, 1);
-    int power = 0;
-    // from_chars knows no plus.
-    std::from_chars(exponent + (exponent[1] == '+' ? 2 : 1), end, power);
-    ++count_;
-    has_all_digits_ = digits > kAllDigits;
-    ++by_digits_[std::min(digits, kAllDigits + 2)];
-    ++by_decimals_[std::clamp(digits - 1 - power, 0, kMostDecimals)];
-  }
-
-  uint64_t count_ = 0;  // whose digits are known
-  double largest_ = 0;
-  bool has_all_digits_ = false;  // one of them
-  double float_error_ = 0;       // of the one that single precision holds worst
-  // How many have so many significant digits, and so many behind the point.
-  std::array<uint64_t, kAllDigits + 3> by_digits_{};
-  std::array<uint64_t, kMostDecimals + 1> by_decimals_{};
-};
-
-struct Box {
-  Point least;
-  Point most;
-
-  void Add(const Point& point) {
-    for (int axis = 0; axis < 3; ++axis) {
-      least[axis] = std::min(least[axis], point[axis]);
-      most[axis] = std::max(most[axis], point[axis]);
-    }
-  }
-  double Extent() const {
-    return std::max(
-        {most[0] - least[0], most[1] - least[1], most[2] - least[2]});
-  }
-};
-
-// Where most of a soup lies, by a sample of it. A few vertices far off would
-// make the rounding of their own places that of all.
-class UsualBox {
- public:
-  // REQUIRES: the soup has faces.
-  explicit UsualBox(const TriangleSoup& soup) {
-    const size_t faces = soup.triangles.size();
-    std::vector<Point> sample(std::min<size_t>(faces, kSample));
-    for (size_t i = 0; i < sample.size(); ++i) {
-      const Triangle& corners = soup.triangles[i * faces / sample.size()];
-      sample[i] = soup.positions[corners[i % 3]];
-    }
-    std::vector<double> sorted(sample.size());
-    const size_t quarter = sample.size() / 4;
-    for (int axis = 0; axis < 3; ++axis) {
-      std::ranges::transform(
-          sample, sorted.begin(),
-          [axis](const Point& point) { return point[axis]; });
-      std::ranges::sort(sorted);
-      middle_[axis] = sorted[sorted.size() / 2];
-      spread_ = std::max(spread_,
-                         sorted[sorted.size() - 1 - quarter] - sorted[quarter]);
-    }
-    box_ = {middle_, middle_};
-    for (const Point& point : sample) {
-      if (Holds(point)) box_.Add(point);
-    }
-  }
-
-  bool Holds(const Point& point) const {
-    if (spread_ == 0) return true;
-    const double most = kFarOff * spread_;
-    return std::abs(point[0] - middle_[0]) <= most &&
-           std::abs(point[1] - middle_[1]) <= most &&
-           std::abs(point[2] - middle_[2]) <= most;
-  }
-
-  const Box& box() const { return box_; }
-
- private:
-  static constexpr size_t kSample = 256;
-
-  Point middle_{};
-  double spread_ = 0;  // of the middle half of all
-  Box box_{};
-};
 
 // The seams of a soup.
 class Seams {
@@ -217,18 +63,15 @@ class Seams {
       JoinVertices(boundary_.edges()[i].low, boundary_.edges()[i].high);
     }
     const std::vector<bool> is_on_face = CornersOfFaces();
-    const auto set_of = [&](uint32_t v) {
-      return vertices_.Find(boundary_.NumberOf(v));
-    };
     absl::flat_hash_map<uint32_t, uint32_t> corner_of;  // by the place
     for (const auto& [low, high] : boundary_.edges()) {
       for (const uint32_t v : {low, high}) {
-        if (is_on_face[set_of(v)]) corner_of.try_emplace(place_of(v), v);
+        if (is_on_face[SetOf(v)]) corner_of.try_emplace(place_of(v), v);
       }
     }
     // Sets change their numbers once the first is joined.
     std::erase_if(points, [&](uint32_t i) {
-      return is_on_face[set_of(boundary_.edges()[i].low)];
+      return is_on_face[SetOf(boundary_.edges()[i].low)];
     });
     for (const uint32_t i : points) {
       const uint32_t low = boundary_.edges()[i].low;
@@ -238,57 +81,24 @@ class Seams {
     return absl::OkStatus();
   }
 
-  // Joins what is left to edges whose ends are close.
-  absl::Status JoinClose(const Closeness& closeness) {
-    // One of each set, and whether it is alone.
-    std::vector<VertexPair> edges;
-    std::vector<uint32_t> numbers;
-    std::vector<bool> is_joined(edge_count());
-    for (uint32_t i = 0; i < edge_count(); ++i) {
-      if (edges_.Find(i) != i) {
-        is_joined[edges_.Find(i)] = true;
-        continue;
-      }
-      edges.push_back(boundary_.edges()[i]);
-      numbers.push_back(i);
-    }
-    if (std::ranges::all_of(numbers,
-                            [&](uint32_t i) { return is_joined[i]; })) {
-      return absl::OkStatus();
-    }
-    CloseEdges grid(soup_.positions, edges, closeness);
-    std::vector<ClosePair> pairs;
-    for (uint32_t i = 0; i < edges.size(); ++i) {
-      if (absl::Status status = Poll(i); !status.ok()) return status;
-      if (is_joined[numbers[i]]) continue;
-      pairs.clear();
-      absl::Status status = grid.Find(i, checkpoint_, pairs);
-      if (!status.ok()) return status;
-      for (const ClosePair& pair : pairs) {
-        Join(numbers[pair.first], numbers[pair.second], pair.is_turned);
-      }
-    }
-    return absl::OkStatus();
+  // Joins what is left where it differs by rounding alone: edges whose ends are
+  // one, then what is left of rings that are points.
+  absl::Status JoinRounded() {
+    const Rounding rounding(soup_, boundary_.vertices());
+    if (rounding.distance() == 0) return absl::OkStatus();
+    const auto are_one = [&](uint32_t a, uint32_t b) {
+      return rounding.Allows(soup_.positions[a], soup_.positions[b]);
+    };
+    absl::Status status =
+        JoinClose({rounding.distance(), kMostRounded}, are_one);
+    if (!status.ok()) return status;
+    return JoinRings(rounding.distance() / kMostRounded, are_one);
   }
 
-  // How far apart the ends of edges may be that are one.
-  double Rounding() const {
-    const UsualBox usual(soup_);
-    Coordinates coordinates;
-    Box box = usual.box();
-    const std::vector<uint32_t>& vertices = boundary_.vertices();
-    const size_t step = vertices.size() / kSampledDigits + 1;
-    for (size_t i = 0; i < vertices.size(); ++i) {
-      const Point& point = soup_.positions[vertices[i]];
-      if (!usual.Holds(point)) continue;
-      coordinates.Add(point);
-      if (i % step == 0) coordinates.AddDigits(point);
-      box.Add(point);
-    }
-    const double extent = box.Extent();
-    // Along each axis.
-    return std::sqrt(3.0) *
-           coordinates.Rounding(extent, soup_.is_single_precision);
+  // Joins what is left to edges whose ends are within a distance.
+  absl::Status JoinWithin(double distance) {
+    return JoinClose({distance, kMostWelded},
+                     [](uint32_t, uint32_t) { return true; });
   }
 
   // Writes what was joined into the soup.
@@ -311,6 +121,110 @@ class Seams {
 
  private:
   static constexpr uint32_t kBetweenPolls = 1 << 14;
+
+  // Joins the vertices of boundaries all around which the ends of edges are one
+  // by `are_one`, in faces whose other sides are longer than `least`: the pole
+  // of a sphere is a ring where its radius is sin pi.
+  absl::Status JoinRings(double least,
+                         absl::FunctionRef<bool(uint32_t, uint32_t)> are_one) {
+    absl::flat_hash_map<uint32_t, uint32_t> degrees;  // by the number of a set
+    std::vector<VertexPair> sides;
+    for (uint32_t i = 0; i < edge_count(); ++i) {
+      const auto& [low, high] = boundary_.edges()[i];
+      if (edges_.Find(i) != i || !are_one(low, high)) continue;
+      const uint32_t from = SetOf(low), to = SetOf(high);
+      if (from == to) continue;
+      sides.push_back({low, high});
+      ++degrees[from];
+      ++degrees[to];
+    }
+    if (sides.empty()) return absl::OkStatus();
+    DisjointSets rings(static_cast<uint32_t>(boundary_.vertices().size()));
+    for (const auto& [low, high] : sides) rings.Join(SetOf(low), SetOf(high));
+    absl::flat_hash_set<uint32_t> open;
+    for (const auto& [set, degree] : degrees) {
+      if (degree != 2) open.insert(rings.Find(set));
+    }
+    std::erase_if(sides, [&](const VertexPair& side) {
+      return open.contains(rings.Find(SetOf(side.low)));
+    });
+    if (sides.empty()) return absl::OkStatus();
+    absl::flat_hash_set<std::pair<uint32_t, uint32_t>> wanted;
+    for (const auto& [low, high] : sides) wanted.emplace(low, high);
+    const auto is_long = [&](uint32_t a, uint32_t b) {
+      const Point& p = soup_.positions[a];
+      const Point& q = soup_.positions[b];
+      return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) > least;
+    };
+    for (uint32_t face = 0; face < soup_.triangles.size(); ++face) {
+      if (absl::Status status = Poll(face); !status.ok()) return status;
+      const Triangle& corners = soup_.triangles[face];
+      for (int corner = 0; corner < 3; ++corner) {
+        const uint32_t a = corners[corner], b = corners[(corner + 1) % 3],
+                       c = corners[(corner + 2) % 3];
+        if (wanted.contains(std::minmax(a, b)) && is_long(b, c) &&
+            is_long(c, a)) {
+          JoinVertices(a, b);
+        }
+      }
+    }
+    return absl::OkStatus();
+  }
+
+  // Joins what is left to edges whose ends are close, and one by `are_one`,
+  // until none is: those that were joined lie where the first of them does.
+  absl::Status JoinClose(const Closeness& closeness,
+                         absl::FunctionRef<bool(uint32_t, uint32_t)> are_one) {
+    for (uint64_t before = 0; before != vertices_.count();) {
+      before = vertices_.count();
+      absl::Status status = JoinCloseOnce(closeness, are_one);
+      if (!status.ok()) return status;
+    }
+    return absl::OkStatus();
+  }
+
+  absl::Status JoinCloseOnce(
+      const Closeness& closeness,
+      absl::FunctionRef<bool(uint32_t, uint32_t)> are_one) {
+    // One of each set, between the vertices that take the places of its ends.
+    std::vector<VertexPair> edges;
+    std::vector<uint32_t> numbers;
+    std::vector<bool> is_joined(edge_count());
+    const auto place_of = [&](uint32_t v) {
+      return boundary_.vertices()[SetOf(v)];
+    };
+    for (uint32_t i = 0; i < edge_count(); ++i) {
+      if (edges_.Find(i) != i) {
+        is_joined[edges_.Find(i)] = true;
+        continue;
+      }
+      const auto& [low, high] = boundary_.edges()[i];
+      edges.push_back({place_of(low), place_of(high)});
+      numbers.push_back(i);
+    }
+    if (std::ranges::all_of(numbers,
+                            [&](uint32_t i) { return is_joined[i]; })) {
+      return absl::OkStatus();
+    }
+    CloseEdges grid(soup_.positions, edges, closeness);
+    std::vector<ClosePair> pairs;
+    for (uint32_t i = 0; i < edges.size(); ++i) {
+      if (absl::Status status = Poll(i); !status.ok()) return status;
+      if (is_joined[numbers[i]]) continue;
+      pairs.clear();
+      absl::Status status = grid.Find(i, checkpoint_, pairs);
+      if (!status.ok()) return status;
+      for (const ClosePair& pair : pairs) {
+        auto [low, high] = edges[pair.second];
+        if (pair.is_turned) std::swap(low, high);
+        if (!are_one(edges[i].low, low) || !are_one(edges[i].high, high)) {
+          continue;
+        }
+        Join(numbers[pair.first], numbers[pair.second], pair.is_turned);
+      }
+    }
+    return absl::OkStatus();
+  }
 
   uint32_t edge_count() const {
     return static_cast<uint32_t>(boundary_.edges().size());
@@ -353,12 +267,12 @@ class Seams {
     return is_on_face;
   }
 
+  // The number of the set of a vertex at the boundary.
+  uint32_t SetOf(uint32_t v) { return vertices_.Find(boundary_.NumberOf(v)); }
+
   void JoinVertices(uint32_t a, uint32_t b) {
     vertices_.Join(boundary_.NumberOf(a), boundary_.NumberOf(b));
   }
-
-  // Writing digits takes longer than all else.
-  static constexpr size_t kSampledDigits = 512;
 
   TriangleSoup& soup_;
   const BoundaryEdges& boundary_;
@@ -424,10 +338,11 @@ absl::Status JoinSeams(const Welding& welding, TriangleSoup& soup,
   Seams seams(soup, *boundary, checkpoint);
   status = seams.JoinEqual();
   if (!status.ok()) return status;
-  const Closeness closeness = welding.kind == Welding::Kind::kWithin
-                                  ? Closeness{welding.distance, kMostWelded}
-                                  : Closeness{seams.Rounding(), kMostRounded};
-  if (closeness.distance > 0) status = seams.JoinClose(closeness);
+  const bool is_within = welding.kind == Welding::Kind::kWithin;
+  if (!is_within || welding.distance > 0) status = seams.JoinRounded();
+  if (status.ok() && is_within && welding.distance > 0) {
+    status = seams.JoinWithin(welding.distance);
+  }
   if (status.ok()) seams.Finish();
   return status;
 }

@@ -37,15 +37,14 @@ struct Limits {
   uint64_t max_queued_jobs_per_client = 64;
 
   // Byte budgets: resident meshes, finished fields, uploads on their way to
-  // become meshes, what running solvers hold, landmarks (0: none are made),
-  // what approximate methods prepare, and decimated meshes.
+  // become meshes, what running solvers hold, landmarks (0: none are made), and
+  // what approximate methods prepare.
   uint64_t mesh_store_bytes = uint64_t{4} << 30;
   uint64_t field_cache_bytes = uint64_t{1} << 30;
   uint64_t upload_memory_bytes = uint64_t{4} << 30;
   uint64_t solver_memory_bytes = uint64_t{8} << 30;
   uint64_t landmark_memory_bytes = uint64_t{512} << 20;
   uint64_t prepared_memory_bytes = uint64_t{1} << 30;
-  uint64_t decimated_memory_bytes = uint64_t{128} << 20;
 
   // Byte budgets of meshes and fields on disk; 0: nothing outlives the server.
   uint64_t mesh_disk_bytes = 0;

@@ -42,12 +42,10 @@ MeshLibrary::MeshLibrary(const Limits& limits, const Clock& clock,
       upload_memory_(std::move(upload_memory)),
       removed_(std::move(removed)),
       landmarks_(limits.landmark_memory_bytes),
-      decimations_(limits.decimated_memory_bytes),
       methods_(limits.prepared_memory_bytes),
       store_(limits.mesh_store_bytes,
              [this](const std::string& digest) {
                landmarks_.Erase(digest);
-               decimations_.EraseMesh(digest);
                methods_.EraseMesh(digest);
              }),
       uploads_(scheduler, clock, limits.progress_interval),
@@ -391,9 +389,7 @@ absl::StatusOr<UploadResult> MeshLibrary::Keep(MeshBuild& build) {
   const MeshStore::Inserted kept = Keep(std::move(mesh), std::move(build.room));
   AddFile(upload);
   ++meshes_built_;
-  if (siblings_ != nullptr && kept.value != nullptr) {
-    siblings_->Spread(kept.value);
-  }
+  if (shared_ != nullptr && kept.value != nullptr) shared_->Put(*kept.value);
   return UploadResult{std::move(description), !kept.is_new};
 }
 
@@ -411,7 +407,7 @@ absl::StatusOr<MeshLoads::Ticket> MeshLibrary::Await(
     absl::Status status =
         CheckMemory(mesh->summary.vertices, mesh->summary.faces);
     if (!status.ok()) return status;
-  } else if (siblings_ == nullptr) {
+  } else if (shared_ == nullptr) {
     return NotResident(digest);
   }
   auto load = std::make_shared<MeshLoad>(MeshLoad{.digest = digest});
@@ -441,7 +437,7 @@ absl::Status MeshLibrary::Reserve(MeshLoad& load) {
   if (const auto mesh = catalogue_->Describe(load.digest)) {
     return Reserve(load, mesh->summary.vertices, mesh->summary.faces);
   }
-  if (siblings_ == nullptr) return NotResident(load.digest);
+  if (shared_ == nullptr) return NotResident(load.digest);
   // To ask for it takes no memory.
   if (!load.found.has_value()) return absl::OkStatus();
   return Reserve(load, load.found->vertices, load.found->faces);
@@ -465,18 +461,9 @@ absl::StatusOr<std::optional<MeshHandle>> MeshLibrary::Run(
   if (load.fetched.has_value()) return KeepFetched(load);
   if (load.found.has_value()) {
     absl::StatusOr<ResidentMesh> mesh = Fetch(load, checkpoint);
-    if (mesh.ok()) {
-      load.fetched = *std::move(mesh);
-      load.arrays = {};
-      return std::nullopt;
-    }
-    if (!absl::IsUnavailable(mesh.status())) return mesh.status();
-    // The next one may have it, too.
-    load.refusal = mesh.status();
-    load.next_sibling = load.found->sibling + 1;
-    load.found.reset();
+    if (!mesh.ok()) return mesh.status();
+    load.fetched = *std::move(mesh);
     load.arrays = {};
-    load.room = {};
     return std::nullopt;
   }
   if (const auto mesh = catalogue_->Describe(load.digest)) {
@@ -488,35 +475,24 @@ absl::StatusOr<std::optional<MeshHandle>> MeshLibrary::Run(
     load.read = *std::move(soup);
     return std::nullopt;
   }
-  if (siblings_ == nullptr) return NotResident(load.digest);
-  if (absl::Status s = FindSibling(load, checkpoint); !s.ok()) return s;
+  if (shared_ == nullptr) return NotResident(load.digest);
+  if (absl::Status s = FindShared(load); !s.ok()) return s;
   return std::nullopt;
 }
 
-absl::Status MeshLibrary::FindSibling(MeshLoad& load, Checkpoint& checkpoint) {
-  absl::StatusOr<SiblingMesh> found =
-      siblings_->Find(load.digest, load.next_sibling, checkpoint);
-  if (!found.ok()) {
-    if (!load.refusal.ok()) return load.refusal;
-    return absl::IsNotFound(found.status()) ? NotResident(load.digest)
-                                            : found.status();
-  }
+absl::Status MeshLibrary::FindShared(MeshLoad& load) {
+  std::optional<SharedMesh> found = shared_->Find(load.digest);
+  if (!found) return NotResident(load.digest);
   const std::string who =
-      absl::StrCat("mesh ", load.digest, " of a sibling has");
+      absl::StrCat("mesh ", load.digest, " of the shared tier has");
   absl::Status fits = CheckCount("vertices", found->vertices, "max_vertices",
                                  limits_.max_vertices, who);
   fits.Update(
       CheckCount("faces", found->faces, "max_faces", limits_.max_faces, who));
   // Larger counts would overflow there.
   if (fits.ok()) fits = CheckCapacity(found->vertices, found->faces);
-  if (fits.ok()) {
-    load.found = *std::move(found);
-  } else {
-    // Perhaps it lies: the next one may have it, too.
-    load.refusal = fits;
-    load.next_sibling = found->sibling + 1;
-  }
-  return absl::OkStatus();
+  if (fits.ok()) load.found = std::move(found);
+  return fits;
 }
 
 absl::StatusOr<MeshHandle> MeshLibrary::BuildRead(MeshLoad& load,
@@ -540,24 +516,21 @@ absl::StatusOr<MeshHandle> MeshLibrary::BuildRead(MeshLoad& load,
 
 absl::StatusOr<ResidentMesh> MeshLibrary::Fetch(MeshLoad& load,
                                                 Checkpoint& checkpoint) {
-  absl::StatusOr<TriangleSoup> soup = siblings_->Read(*load.found, checkpoint);
+  absl::StatusOr<TriangleSoup> soup = shared_->Read(*load.found, checkpoint);
+  // Whoever has the mesh may send it again.
+  if (absl::IsNotFound(soup.status())) return NotResident(load.digest);
   if (!soup.ok()) return soup.status();
+  if (MeshDigest(*soup) != load.digest) return NotResident(load.digest);
   absl::StatusOr<std::shared_ptr<const Mesh>> built =
-      MeshDigest(*soup) == load.digest
-          ? Mesh::Build(*std::move(soup), checkpoint)
-          : absl::InvalidArgumentError("its digest is another one");
-  if (absl::IsInvalidArgument(built.status())) {
-    return absl::UnavailableError(
-        absl::StrCat("a sibling sent something else for mesh ", load.digest,
-                     ": ", built.status().message()));
-  }
+      Mesh::Build(*std::move(soup), checkpoint);
+  if (absl::IsInvalidArgument(built.status())) return NotResident(load.digest);
   if (!built.ok()) return built.status();
   return ResidentMesh{load.digest, *built, Summarize(**built)};
 }
 
 absl::StatusOr<MeshHandle> MeshLibrary::KeepFetched(MeshLoad& load) {
   ResidentMesh& mesh = *load.fetched;
-  // A disk that is full or fails keeps nobody from an answer: siblings have the
+  // A disk that is full or fails keeps nobody from an answer: the tier has the
   // mesh, and here it stays in memory alone.
   const bool is_stored = catalogue_->Put(mesh, std::nullopt).ok();
   MeshHandle kept =

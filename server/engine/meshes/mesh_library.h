@@ -5,7 +5,7 @@
 //   2. a mesh in memory is on disk, except while it is dropped from both;
 //   3. Await loads a mesh that is on disk but not in memory.
 //
-// With siblings, Await fetches a mesh that is not here from one of them.
+// With a shared tier, Await fetches a mesh that is not here from it.
 
 #ifndef GEODESIC_SERVER_ENGINE_MESHES_MESH_LIBRARY_H_
 #define GEODESIC_SERVER_ENGINE_MESHES_MESH_LIBRARY_H_
@@ -26,14 +26,13 @@
 #include "server/engine/base/limits.h"
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/jobs/shared_jobs.h"
-#include "server/engine/meshes/decimation_store.h"
 #include "server/engine/meshes/landmark_store.h"
 #include "server/engine/meshes/mesh_catalogue.h"
 #include "server/engine/meshes/mesh_files.h"
-#include "server/engine/meshes/mesh_siblings.h"
 #include "server/engine/meshes/mesh_store.h"
 #include "server/engine/meshes/mesh_upload.h"
 #include "server/engine/meshes/method_store.h"
+#include "server/engine/meshes/shared_meshes.h"
 
 namespace geodesic::server {
 
@@ -45,8 +44,8 @@ struct UploadResult {
 using UploadCallback = std::function<void(const absl::StatusOr<UploadResult>&)>;
 using UploadJobs = SharedJobs<uint64_t, UploadResult>;  // each of its own key
 
-// Loads of meshes from disk or siblings; all who ask for one mesh share one
-// load.
+// Loads of meshes from disk or the shared tier; all who ask for one mesh share
+// one load.
 using MeshLoads = SharedJobs<std::string, MeshHandle>;
 using MeshCallback = std::function<void(const absl::StatusOr<MeshHandle>&)>;
 
@@ -82,9 +81,9 @@ class MeshLibrary {
   // any other method.
   void Attach(MeshFiles& files);
 
-  // From now on asks `siblings`, which outlive the object, for meshes that are
-  // not here. Call before any other method.
-  void Attach(MeshSiblings& siblings) { siblings_ = &siblings; }
+  // From now on asks `shared`, which outlives the object, for meshes that are
+  // not here, and has it keep those that come. Call before any other method.
+  void Attach(SharedMeshes& shared) { shared_ = &shared; }
 
   // Errors: INVALID_ARGUMENT naming a malformed digest, or the number of items
   // when there are more than 1000.
@@ -125,21 +124,21 @@ class MeshLibrary {
   // Describes a mesh in memory or on disk and marks it as used.
   // Errors: INVALID_ARGUMENT: malformed digest; NOT_FOUND: in neither.
   absl::StatusOr<MeshDescription> Describe(const std::string& digest);
-  // Whether it is in either, also if it came from a sibling and the disk could
-  // not take it.
+  // Whether it is in either, also if it came from the shared tier and the disk
+  // could not take it.
   bool Contains(const std::string& digest) {
     return catalogue_->Contains(digest) || store_.Holds(digest);
   }
 
   // Whether Await may bring a mesh that is not here.
-  bool has_siblings() const { return siblings_ != nullptr; }
+  bool has_shared_tier() const { return shared_ != nullptr; }
 
   // Calls `done` with the mesh in memory. If it is there already, that happens
   // from here and the ticket is empty; otherwise from the job that loads it,
   // which waits for its memory as Job::reserve says.
   // Errors, here or in `done`: NOT_FOUND; RESOURCE_EXHAUSTED (no memory, at
   // once if it can never be had; the queue is full); UNAVAILABLE (shutting
-  // down; the disk cannot be read; no sibling has it, and some do not answer).
+  // down; the disk cannot be read).
   absl::StatusOr<MeshLoads::Ticket> Await(const std::string& digest,
                                           MeshCallback done,
                                           const std::string& client = {});
@@ -158,14 +157,13 @@ class MeshLibrary {
                       const std::string& client = {});
 
   uint64_t meshes_built() const { return meshes_built_; }
-  uint64_t meshes_loaded() const { return meshes_loaded_; }    // from disk
-  uint64_t meshes_fetched() const { return meshes_fetched_; }  // by siblings_
+  uint64_t meshes_loaded() const { return meshes_loaded_; }  // from disk
+  // From the shared tier.
+  uint64_t meshes_fetched() const { return meshes_fetched_; }
   const MeshStore& store() const { return store_; }
   // Of meshes in memory; they go with their meshes.
   LandmarkStore& landmarks() { return landmarks_; }
   const LandmarkStore& landmarks() const { return landmarks_; }
-  DecimationStore& decimations() { return decimations_; }
-  const DecimationStore& decimations() const { return decimations_; }
   MethodStore& methods() { return methods_; }
   const MethodStore& methods() const { return methods_; }
   const MeshLoads& loads() const { return loads_; }
@@ -186,9 +184,7 @@ class MeshLibrary {
   struct MeshLoad {
     std::string digest;
     MeshHandle mesh;
-    std::optional<SiblingMesh> found;  // once one is known to have it
-    size_t next_sibling = 0;           // to be asked
-    absl::Status refusal;              // why the one before did not send it
+    std::optional<SharedMesh> found;   // once the tier is known to have it
     ByteReservation arrays;            // and the build's temporary memory
     ByteReservation room;              // of the mesh store
     std::optional<TriangleSoup> read;  // from the disk
@@ -233,8 +229,8 @@ class MeshLibrary {
   absl::StatusOr<MeshHandle> BuildRead(MeshLoad& load,
                                        const MeshDescription& mesh,
                                        Checkpoint& checkpoint);
-  // Looks for a sibling that has the mesh.
-  absl::Status FindSibling(MeshLoad& load, Checkpoint& checkpoint);
+  // Looks for the mesh in the shared tier.
+  absl::Status FindShared(MeshLoad& load);
   absl::StatusOr<ResidentMesh> Fetch(MeshLoad& load, Checkpoint& checkpoint);
   absl::StatusOr<MeshHandle> KeepFetched(MeshLoad& load);
 
@@ -248,11 +244,10 @@ class MeshLibrary {
   const std::shared_ptr<ByteBudget> upload_memory_;
   const std::function<void(const std::string&)> removed_;
   LandmarkStore landmarks_;
-  DecimationStore decimations_;
   MethodStore methods_;
   MeshStore store_;
   MeshCatalogue* catalogue_ = &store_;
-  MeshSiblings* siblings_ = nullptr;
+  SharedMeshes* shared_ = nullptr;
   UploadJobs uploads_;
   MeshLoads loads_;
 

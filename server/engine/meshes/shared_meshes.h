@@ -1,33 +1,46 @@
-// Meshes in the tier that servers share, which is asked before any server is.
+// Meshes in the tier that servers share.
 
 #ifndef GEODESIC_SERVER_ENGINE_MESHES_SHARED_MESHES_H_
 #define GEODESIC_SERVER_ENGINE_MESHES_SHARED_MESHES_H_
 
-#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "absl/status/statusor.h"
-#include "server/engine/meshes/mesh_siblings.h"
+#include "geodesic/checkpoint.h"
+#include "geodesic/triangle_soup.h"
+#include "server/engine/meshes/mesh_store.h"
 #include "server/store/blobs.h"
 
 namespace geodesic::server {
 
-// The tier is number 0, and the siblings follow. Thread-safe.
-class SharedMeshes final : public MeshSiblings {
- public:
-  // `siblings` may be null. REQUIRES: both outlive the object.
-  SharedMeshes(Blobs& tier, MeshSiblings* siblings)
-      : tier_(tier), siblings_(siblings) {}
+// A mesh that the tier has.
+struct SharedMesh {
+  std::string digest;
+  uint64_t vertices = 0;
+  uint64_t faces = 0;
+};
 
-  absl::StatusOr<SiblingMesh> Find(const std::string& digest, size_t first,
-                                   Checkpoint& checkpoint) override;
-  absl::StatusOr<TriangleSoup> Read(const SiblingMesh& mesh,
-                                    Checkpoint& checkpoint) override;
-  void Spread(const MeshHandle& mesh) override;
+// Thread-safe. Every method waits for the network.
+class SharedMeshes {
+ public:
+  // REQUIRES: `tier` outlives the object.
+  explicit SharedMeshes(Blobs& tier) : tier_(tier) {}
+
+  // Empty if the tier does not have the mesh, or does not answer.
+  std::optional<SharedMesh> Find(const std::string& digest);
+
+  // The arrays of a mesh that was found. Their digest is not checked.
+  // Errors: NOT_FOUND (it did not come whole), what `checkpoint` says.
+  absl::StatusOr<TriangleSoup> Read(const SharedMesh& mesh,
+                                    Checkpoint& checkpoint);
+
+  // Has the tier keep the mesh if it can.
+  void Put(const ResidentMesh& mesh);
 
  private:
   Blobs& tier_;
-  MeshSiblings* const siblings_;
 };
 
 }  // namespace geodesic::server

@@ -1,5 +1,4 @@
-// Prepares meshes for approximate methods, and for exact distances of pairs by
-// landmarks.
+// Prepares meshes for approximate methods.
 
 #ifndef GEODESIC_SERVER_ENGINE_METHODS_METHOD_ENGINE_H_
 #define GEODESIC_SERVER_ENGINE_METHODS_METHOD_ENGINE_H_
@@ -7,7 +6,6 @@
 #include <atomic>
 #include <compare>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,22 +21,19 @@
 #include "server/engine/meshes/mesh_library.h"
 #include "server/engine/meshes/method_store.h"
 #include "server/engine/methods/graph_files.h"
-#include "server/engine/searches/landmark_maker.h"
 
 namespace geodesic::server {
 
-// What is to be prepared of a mesh: a method, or its landmarks.
+// Of which mesh what is to be prepared.
 struct Preparation {
   std::string mesh_digest;
-  std::optional<MethodChoice> method;  // nothing: landmarks
+  MethodChoice method;
 
   friend auto operator<=>(const Preparation&, const Preparation&) = default;
 };
 
-// The mesh, and the method if it was one.
-using Prepared = MethodHandle;
 // Equal preparations that are asked for at the same time are one.
-using MethodJobs = SharedJobs<Preparation, Prepared>;
+using MethodJobs = SharedJobs<Preparation, MethodHandle>;
 
 // Thread-safe. No call waits for a job or the disk.
 class MethodEngine {
@@ -46,8 +41,7 @@ class MethodEngine {
   // REQUIRES: the references outlive the engine, and `scheduler` has no job
   // left when it is destroyed.
   MethodEngine(const Limits& limits, const Clock& clock, Scheduler& scheduler,
-               std::shared_ptr<ByteBudget> solver_memory, MeshLibrary& meshes,
-               LandmarkMaker& landmarks);
+               std::shared_ptr<ByteBudget> solver_memory, MeshLibrary& meshes);
 
   // From now on also keeps graphs in `files`, which outlives the object. Call
   // before any other method.
@@ -63,9 +57,10 @@ class MethodEngine {
   // Errors, here or in `waiter.done`: as PrepareMethod; RESOURCE_EXHAUSTED (no
   // memory for the work or for what comes of it; the queue is full);
   // UNAVAILABLE. After an error here nobody waits.
-  absl::StatusOr<MethodJobs::Ticket> Prepare(
-      const MeshHandle& mesh, const std::optional<MethodChoice>& method,
-      Waiter<Prepared> waiter, const Requester& requester);
+  absl::StatusOr<MethodJobs::Ticket> Prepare(const MeshHandle& mesh,
+                                             const MethodChoice& method,
+                                             Waiter<MethodHandle> waiter,
+                                             const Requester& requester);
   // Ends a wait. If it was the last, the work stops soon.
   void Leave(const MethodJobs::Ticket& ticket) { jobs_.Leave(ticket); }
 
@@ -78,19 +73,31 @@ class MethodEngine {
   uint64_t loaded() const { return loaded_; }
 
  private:
-  absl::StatusOr<Prepared> Run(const MeshHandle& mesh,
-                               const std::optional<MethodChoice>& method,
-                               Checkpoint& checkpoint);
+  // What to do for those who wait for a method.
+  SharedWork<MethodHandle> Work(const MeshHandle& mesh,
+                                const MethodChoice& method,
+                                uint64_t planned_bytes,
+                                const std::string& client);
+  // A graph that is kept; nothing if there is none.
+  absl::StatusOr<std::optional<MethodHandle>> Load(const MeshHandle& mesh,
+                                                   const MethodChoice& method);
+  absl::StatusOr<MethodHandle> Run(const MeshHandle& mesh,
+                                   const MethodChoice& method,
+                                   Checkpoint& checkpoint);
   absl::StatusOr<std::shared_ptr<const PreparedMethod>> Make(
       const ResidentMesh& mesh, const MethodChoice& choice,
       Checkpoint& checkpoint);
+  // From when it is there on; `begin`: since when it was made or read.
+  absl::StatusOr<MethodHandle> Keep(const MeshHandle& mesh,
+                                    const MethodChoice& method,
+                                    std::shared_ptr<const PreparedMethod> made,
+                                    TimePoint begin);
 
   const Limits& limits_;
   const Clock& clock_;
   Scheduler& scheduler_;
   const std::shared_ptr<ByteBudget> solver_memory_;
   MeshLibrary& meshes_;
-  LandmarkMaker& landmarks_;
   GraphFiles* files_ = nullptr;  // null: graphs are kept in memory alone
   MethodJobs jobs_;
   std::atomic<uint64_t> made_ = 0;

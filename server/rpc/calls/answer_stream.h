@@ -33,7 +33,6 @@
 #include "server/engine/query_engine.h"
 #include "server/rpc/calls/call.h"
 #include "server/rpc/messages/translation.h"
-#include "server/rpc/siblings.h"
 
 namespace geodesic::server {
 
@@ -327,16 +326,16 @@ class AnswerStream : public Call<ResponseType> {
     AskAfter([&](const Requester& caller,
                  auto done) -> absl::StatusOr<std::function<void()>> {
       MethodEngine& methods = service_.engine.methods();
-      absl::StatusOr<MethodJobs::Ticket> ticket =
-          methods.Prepare(unprepared.mesh, unprepared.choice,
-                          {.done =
-                               [self = this->Shared(this), done](
-                                   const absl::StatusOr<Prepared>& prepared) {
-                                 if (prepared.ok()) self->SetMethod(*prepared);
-                                 done(prepared.status());
-                               },
-                           .progress = nullptr},
-                          caller);
+      absl::StatusOr<MethodJobs::Ticket> ticket = methods.Prepare(
+          unprepared.mesh, unprepared.choice,
+          {.done =
+               [self = this->Shared(this),
+                done](const absl::StatusOr<MethodHandle>& prepared) {
+                 if (prepared.ok()) self->SetMethod(*prepared);
+                 done(prepared.status());
+               },
+           .progress = nullptr},
+          caller);
       if (!ticket.ok()) return ticket.status();
       return [&methods, ticket = *ticket] { methods.Leave(ticket); };
     });
@@ -357,12 +356,11 @@ class AnswerStream : public Call<ResponseType> {
     GoOn(status.ok() ? Ask() : std::move(status));
   }
 
-  // Siblings are asked once for a call.
+  // The shared tier is asked once for a call.
   bool MayBringMesh() {
     MeshLibrary& meshes = service_.engine.meshes();
     if (meshes.Contains(mesh_digest_)) return true;
-    return meshes.has_siblings() && !IsFromSibling(context_) &&
-           !std::exchange(has_asked_siblings_, true);
+    return meshes.has_shared_tier() && !std::exchange(has_asked_tier_, true);
   }
 
   // `status` is the result of Ask.
@@ -445,7 +443,7 @@ class AnswerStream : public Call<ResponseType> {
   ByteReservation memory_;   // of the request and the question
   bool is_asking_ = false;   // Ask runs, or is about to
   bool begun_ = false;       // Ask succeeded
-  bool has_asked_siblings_ = false;
+  bool has_asked_tier_ = false;
   std::function<void()> leave_;  // ends a wait for the mesh or for a method
   bool cancelled_ = false;
   bool writing_ = false;  // a message is on its way

@@ -6,14 +6,20 @@ namespace geodesic::server {
 namespace {
 
 constexpr std::pair<std::string_view, Scope> kRequired[] = {
-    {"FindMissingMeshes", Scope::kRead}, {"GetMesh", Scope::kRead},
-    {"ReadMesh", Scope::kRead},          {"DecimateMesh", Scope::kRead},
-    {"ListMeshes", Scope::kRead},        {"CreateMesh", Scope::kUpload},
-    {"DeleteMesh", Scope::kDelete},      {"ComputeField", Scope::kRead},
-    {"ComputeLogMap", Scope::kRead},     {"SampleFarthestPoints", Scope::kRead},
-    {"ComputePaths", Scope::kRead},      {"ComputeIsolines", Scope::kRead},
-    {"ComputeMatrix", Scope::kRead},     {"ComputePairs", Scope::kRead},
-    {"FindNearest", Scope::kRead},       {"PrepareMethod", Scope::kRead},
+    {"FindMissingMeshes", Scope::kRead},
+    {"GetMesh", Scope::kRead},
+    {"ReadMesh", Scope::kRead},
+    {"ListMeshes", Scope::kRead},
+    {"CreateMesh", Scope::kUpload},
+    {"DeleteMesh", Scope::kDelete},
+    {"ComputeField", Scope::kRead},
+    {"ComputeLogMap", Scope::kRead},
+    {"SampleFarthestPoints", Scope::kRead},
+    {"ComputePaths", Scope::kRead},
+    {"ComputeIsolines", Scope::kRead},
+    {"ComputeMatrix", Scope::kRead},
+    {"ComputePairs", Scope::kRead},
+    {"FindNearest", Scope::kRead},
     {"GetCapabilities", Scope::kRead},
 };
 

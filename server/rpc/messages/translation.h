@@ -125,7 +125,7 @@ v1::SolveProgress ToProto(const Progress& progress);
 v1::SolveStatistics ToProto(const SolveStatistics& statistics);
 v1::AnswerHeader MakeHeader(const ResidentMesh& mesh,
                             const AlgorithmChoice& algorithm,
-                            const std::string& version, double tolerance = 0);
+                            const std::string& version, double tolerance);
 // `certified_error` 0: the answer is exact.
 v1::AnswerTrailer MakeTrailer(double seconds, uint64_t windows_propagated,
                               uint64_t items, double certified_error);

@@ -13,6 +13,7 @@
 
 #include "absl/status/status.h"
 #include "geodesic/isolines.h"
+#include "geodesic/solve.h"
 #include "tests/core/questions/isoline_checks.h"
 #include "tests/support/checkpoints.h"
 #include "tests/support/curved_meshes.h"
@@ -284,6 +285,45 @@ TEST(IsolineArcs, ThroughAVertexAndBackThere) {
   for (int ulp = 0; ulp < 12; ++ulp, level = std::nextafter(level, 3.0)) {
     EXPECT_NEAR(LengthOf(IsolinesOrFail(**mesh, query, {level})), 0.53535, 1e-3)
         << level;
+  }
+}
+
+// A regular tetrahedron of edge 2 sqrt 2. Around the vertex, the line of this
+// level runs in one face from the vertex that is farthest and back there.
+TEST(IsolineArcs, AroundAFaceFromAVertexWithAnyChordError) {
+  const auto mesh =
+      Mesh::Build({{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
+                   {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}});
+  ASSERT_TRUE(mesh.ok());
+  const Query query{.sources = {{FacePoint{3, {0.75, 0.05, 0.2}}}}};
+  const double level = Solve(**mesh, query)->distances[0];
+  ASSERT_NEAR(level, 2.68700576850888, 1e-12);
+  for (const double chord_error : {kInfinity, 1.2, 1.0, 0.1, 0.0}) {
+    const auto lines = IsolinesOrFail(**mesh, query, {level}, chord_error);
+    ASSERT_EQ(lines.size(), 1) << chord_error;
+    EXPECT_TRUE(lines[0].is_closed);
+    EXPECT_GE(lines[0].positions.size(), 3);
+    EXPECT_NEAR(Length(lines[0]), 4.191, chord_error == 0 ? 0.01 : 1);
+  }
+}
+
+// Inside a rectangle of 1 by 0.2 the line of the level 0.1 - e is one of
+// 0.8 + 2 e by 2 e: thinner than the chord error, and as long as ever.
+TEST(IsolineArcs, KeepTheEndsOfThinLoops) {
+  const Drawing rectangle = {
+      {.corners = {
+           {0.5, 0.5}, {1.5, 0.5}, {1.5, 0.7}, {0.5, 0.7}, {0.5, 0.5}}}};
+  for (const double e : {1e-4, 1e-5, 1e-6}) {
+    for (const double chord_error : {0.0, 1e-3}) {
+      const std::vector<Isoline> lines =
+          Draw(LargeTriangle(), rectangle, 0.1 - e, {.closed = 2}, chord_error);
+      double shortest = kInfinity;
+      for (const Isoline& line : lines) {
+        shortest = std::min(shortest, Length(line));
+      }
+      EXPECT_NEAR(shortest, 2 * (0.8 + 2 * e), 4 * std::max(chord_error, 1e-4))
+          << e;
+    }
   }
 }
 

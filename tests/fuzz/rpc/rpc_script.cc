@@ -34,7 +34,6 @@ constexpr Seed kSeeds[] = {
      R"(mesh_digests: "A" files { format: MESH_FORMAT_OFF sha256: "A" })"},
     {RpcMethod::kGetMesh, R"(digest: "A")"},
     {RpcMethod::kReadMesh, R"(digest: "B")"},
-    {RpcMethod::kDecimateMesh, R"(digest: "C" max_faces: 9)"},
     {RpcMethod::kListMeshes, "page_size: 2"},
     {RpcMethod::kDeleteMesh, R"(digest: "C")"},
     {RpcMethod::kComputeField,
@@ -152,8 +151,7 @@ std::unique_ptr<google::protobuf::Message> NewRequest(RpcMethod method) {
       &v1::ComputeIsolinesRequest::default_instance(),
       &v1::ComputeMatrixRequest::default_instance(),
       &v1::FindNearestRequest::default_instance(),
-      &v1::ComputePairsRequest::default_instance(),
-      &v1::DecimateMeshRequest::default_instance()};
+      &v1::ComputePairsRequest::default_instance()};
   return std::unique_ptr<google::protobuf::Message>(
       kRequests[static_cast<size_t>(method)]->New());
 }

@@ -32,9 +32,8 @@ enum class RpcMethod : uint8_t {
   kComputeMatrix,
   kFindNearest,
   kComputePairs,
-  kDecimateMesh,
 };
-inline constexpr size_t kRpcMethods = 16;
+inline constexpr size_t kRpcMethods = 15;
 
 // A message of a call. Messages of CreateMesh that follow each other are one
 // upload, up to one with `ends_upload`; the first says when its client goes,

@@ -25,7 +25,6 @@
 #include "server/rpc/calls/intake.h"
 #include "server/rpc/calls/peer.h"
 #include "server/rpc/calls/request_log.h"
-#include "server/rpc/streams/decimate_stream.h"
 #include "server/rpc/streams/field_stream.h"
 #include "server/rpc/streams/mesh_streams.h"
 #include "server/rpc/streams/pair_stream.h"
@@ -149,8 +148,7 @@ class AnswerCheck {
     Require(is_header == !has_begun_ && !has_trailer_);
     has_begun_ = true;
     has_trailer_ = part->name() == "trailer";
-    promises_trailer_ = type->name() != "ReadMeshResponse" &&
-                        type->name() != "DecimateMeshResponse";
+    promises_trailer_ = type->name() != "ReadMeshResponse";
     if (type->name() == "ComputeFieldResponse") {
       CheckField(static_cast<const v1::ComputeFieldResponse&>(message));
     }
@@ -278,8 +276,7 @@ class Subject {
         &Subject::BeginStream<IsolineStream>,
         &Subject::BeginStream<MatrixStream>,
         &Subject::BeginStream<NearestStream>,
-        &Subject::BeginStream<PairStream>,
-        &Subject::BeginStream<DecimateStream>};
+        &Subject::BeginStream<PairStream>};
     const RpcFrame& frame = script[begin];
     if (frame.method != RpcMethod::kCreateMesh) {
       (this->*kBegin[static_cast<size_t>(frame.method)])(frame);

@@ -75,7 +75,6 @@ class ClientTest(unittest.TestCase):
         cls.mesh_pb = stubs.mesh_pb2
         cls.mesh_service_pb = stubs.mesh_service_pb2
         cls.matrix_pb = stubs.matrix_service_pb2
-        cls.method_pb = stubs.method_service_pb2
         cls.pair_pb = stubs.pair_service_pb2
         cls.path_pb = stubs.path_service_pb2
         cls.query_pb = stubs.query_pb2
@@ -84,7 +83,6 @@ class ClientTest(unittest.TestCase):
         cls.fields = stubs.field_service_pb2_grpc.FieldServiceStub(channel)
         cls.paths = stubs.path_service_pb2_grpc.PathServiceStub(channel)
         cls.matrices = stubs.matrix_service_pb2_grpc.MatrixServiceStub(channel)
-        cls.methods = stubs.method_service_pb2_grpc.MethodServiceStub(channel)
         cls.pairs = stubs.pair_service_pb2_grpc.PairServiceStub(channel)
         cls.capabilities = (
             stubs.capabilities_service_pb2_grpc.CapabilitiesServiceStub(

@@ -1,8 +1,10 @@
 """What servers share in Redis; and that Redis, whatever it does, makes nobody
 wait and no answer wrong."""
 
+import concurrent.futures
 import os
 import random
+import resource
 import socket
 import sys
 import tempfile
@@ -92,13 +94,13 @@ class Replica:
             ["--log-level", "error", "--drain-seconds", "0", "--threads", "1",
              "--metrics-listen", "127.0.0.1:%d" % metrics] + list(flags))
         test.addCleanup(server.stop)
+        self.pid = server.process.pid
         channel = grpc.insecure_channel(
             server.address, options=[("grpc.use_local_subchannel_pool", 1)])
         test.addCleanup(channel.close)
         self._meshes = self._pb.mesh_service_pb2_grpc.MeshServiceStub(channel)
         self._fields = self._pb.field_service_pb2_grpc.FieldServiceStub(channel)
-        self._methods = self._pb.method_service_pb2_grpc.MethodServiceStub(
-            channel)
+        self._pairs = self._pb.pair_service_pb2_grpc.PairServiceStub(channel)
 
     def metric(self, name):
         """A sample, named with its labels."""
@@ -136,6 +138,10 @@ class Replica:
 
         return self._meshes.CreateMesh(messages(), timeout=60).mesh.digest
 
+    def describe(self, digest):
+        return self._meshes.GetMesh(self._pb.mesh_service_pb2.GetMeshRequest(
+            digest=digest), timeout=60).mesh
+
     def field(self, digest, vertex, algorithm=0, nearest=False):
         """The bytes of distances and nearest sources."""
         request = self._pb.field_service_pb2.ComputeFieldRequest(
@@ -149,10 +155,12 @@ class Replica:
             for message in self._fields.ComputeField(request, timeout=60)
             if message.WhichOneof("part") == "chunk")
 
-    def prepare(self, digest, algorithm):
-        list(self._methods.PrepareMethod(
-            self._pb.method_service_pb2.PrepareMethodRequest(
-                mesh_digest=digest, algorithm=algorithm), timeout=60))
+    def await_landmarks(self, digest):
+        """A question about a pair has them made, or fetched, after it."""
+        list(self._pairs.ComputePairs(
+            self._pb.pair_service_pb2.ComputePairsRequest(
+                mesh_digest=digest, vertex_pairs=[0, 1]), timeout=60))
+        await_that(lambda: self.describe(digest).landmark_count == 64)
 
 
 class SharedTierTest(unittest.TestCase):
@@ -196,7 +204,7 @@ class SharedTierTest(unittest.TestCase):
             for name in ("HEAT", "SVG"):
                 answers.append(replica.field(
                     self.digest, 3, getattr(algorithms, "ALGORITHM_" + name)))
-            replica.prepare(self.digest, 0)  # its landmarks
+            replica.await_landmarks(self.digest)
             return answers
 
         expected = ask(first)
@@ -232,6 +240,61 @@ class SharedTierTest(unittest.TestCase):
         await_that(lambda: second.metric(name % "fields") == 1)
         self.assertEqual(second.metric(name % "meshes"), 1)
         self.assertEqual(second.computed(), 0)
+
+    def test_a_mesh_is_fetched_once_for_all_who_ask(self):
+        redis = self.redis()
+        first = self.replica(redis.address, *PATIENT)
+        first.upload(*self.mesh)
+        await_that(lambda: first.writes("written") == 1)
+        second = self.replica(redis.address, *PATIENT)
+        with concurrent.futures.ThreadPoolExecutor(8) as threads:
+            answers = list(threads.map(
+                lambda n: second.field(self.digest, n % 2), range(8)))
+        for vertex in range(2):
+            self.assertEqual(set(answers[vertex::2]),
+                             {first.field(self.digest, vertex)})
+        fetched = "geodesic_meshes_fetched_total"
+        self.assertEqual((first.metric(fetched), second.metric(fetched)), (0, 1))
+        # What nobody has is not found.
+        with self.assertRaises(grpc.RpcError) as refused:
+            second.field("0" * 64, 0)
+        self.assertEqual(refused.exception.code(), grpc.StatusCode.NOT_FOUND)
+        self.assertEqual(second.metric(fetched), 1)
+
+    def test_a_full_disk_keeps_nobody_from_an_answer(self):
+        truth = self.alone()
+        redis = self.redis()
+        first = self.replica(redis.address, *PATIENT)
+        first.upload(*self.mesh)
+        await_that(lambda: first.writes("written") == 1)
+        full = self.replica(redis.address, *PATIENT, "--data-dir",
+                            os.path.join(self.folder, "data"))
+        # No file may grow from here on.
+        resource.prlimit(full.pid, resource.RLIMIT_FSIZE, (0, 0))
+        for vertex in range(3):
+            self.assertEqual(full.field(self.digest, vertex), truth(vertex))
+        self.assertEqual(full.metric("geodesic_meshes_fetched_total"), 1)
+        self.assertEqual(full.describe(self.digest).face_count, len(self.mesh[1]))
+        # What it could not keep is not acknowledged.
+        for mesh in (self.mesh, bumpy_grid(3)):
+            with self.assertRaises(grpc.RpcError) as refused:
+                full.upload(*mesh)
+            self.assertIn(refused.exception.code(),
+                          (grpc.StatusCode.RESOURCE_EXHAUSTED,
+                           grpc.StatusCode.UNAVAILABLE))
+
+    def test_a_mesh_beyond_the_own_limits_is_not_fetched(self):
+        redis = self.redis()
+        first = self.replica(redis.address, *PATIENT)
+        first.upload(*self.mesh)
+        await_that(lambda: first.writes("written") == 1)
+        most = len(self.mesh[1]) - 1
+        small = self.replica(redis.address, *PATIENT, "--max-faces", str(most))
+        with self.assertRaises(grpc.RpcError) as refused:
+            small.field(self.digest, 0)
+        self.assertEqual(refused.exception.code(),
+                         grpc.StatusCode.RESOURCE_EXHAUSTED)
+        self.assertIn("max_faces is %d" % most, refused.exception.details())
 
     def test_dead_and_back(self):
         truth = self.alone()
@@ -325,10 +388,8 @@ class SharedTierTest(unittest.TestCase):
         second = self.replica(redis.address, *PATIENT)
         with self.assertRaises(grpc.RpcError) as refused:
             second.field(self.digest, 0)
-        # No sibling has it either, and the mesh is gone from the tier.
-        self.assertIn(refused.exception.code(),
-                      (grpc.StatusCode.UNAVAILABLE,
-                       grpc.StatusCode.NOT_FOUND))
+        # It is gone from the tier, and whoever has it may send it again.
+        self.assertEqual(refused.exception.code(), grpc.StatusCode.NOT_FOUND)
         self.assertEqual(second.upload(*self.mesh), self.digest)
         self.assertEqual([second.field(self.digest, v) for v in range(12)],
                          expected)

@@ -8,10 +8,10 @@ import { joiningWords, Seams } from "./seams";
 import { about, type Connection } from "../service/connection";
 import { DRAWN_WHOLE } from "../scene/detail";
 import { askRestoring } from "../service/ask_restoring";
-import { decimateMesh } from "../service/decimate_mesh";
 import { readMesh } from "../service/read_mesh";
 import { formatOf, uploadMesh, type Joining } from "../service/upload";
 import { SurfaceMesh } from "../surface/mesh";
+import { simplify } from "../surface/simplify";
 
 /** A file that was opened here, and how it was read. */
 interface Opened {
@@ -40,7 +40,7 @@ export class MeshChooser {
     private readonly recovery: Recovery,
     private readonly coarseFaces: number,
     private readonly opened: (mesh: SurfaceMesh) => void,
-    private readonly decimated: (mesh: SurfaceMesh, indices: Uint32Array | undefined) => void,
+    private readonly simplified: (mesh: SurfaceMesh, indices: Uint32Array | undefined) => void,
   ) {
     onClick("open", () => this.input.click());
     onClick("welcome-open", () => this.input.click());
@@ -77,7 +77,7 @@ export class MeshChooser {
 
   private async sendAgain(digest: string, opened: Opened): Promise<void> {
     this.restoring = new AbortController();
-    const sent = await this.upload(opened, this.restoring.signal);
+    const sent = await this.upload(opened, this.restoring.signal, digest);
     this.notice.done();
     if (sent !== digest) throw new Error(`The server has lost this mesh, and ${opened.file.name} holds another one by now.`);
   }
@@ -129,14 +129,8 @@ export class MeshChooser {
 
   private async read(digest: string, signal: AbortSignal): Promise<void> {
     const show = (share: number) => this.notice.busy("Reading the mesh", share);
-    // The server works on it while the mesh comes. Without it all is drawn.
-    let coarse: Promise<Uint32Array | undefined> | undefined;
-    const counted = (faceCount: number) => {
-      if (faceCount <= DRAWN_WHOLE) return;
-      coarse = decimateMesh(this.connection, digest, this.coarseFaces, signal).catch(() => undefined);
-    };
     const [arrays, { mesh: described }] = await Promise.all([
-      readMesh(this.connection, digest, counted, show, signal),
+      readMesh(this.connection, digest, show, signal),
       this.connection.meshes.getMesh({ digest }, about(digest, signal)),
     ]);
     this.notice.busy("Preparing the picture");
@@ -145,15 +139,20 @@ export class MeshChooser {
     const mesh = new SurfaceMesh(arrays, digest, this.nameOf(digest));
     const opened = this.files.get(digest);
     mesh.isFile = opened !== undefined && !joiningWords(opened.joining);
-    mesh.awaitsCoarse = coarse !== undefined;
+    mesh.awaitsCoarse = mesh.faceCount > DRAWN_WHOLE;
     this.restoring.abort();
     this.notice.clear();
     this.opened(mesh);
     this.seams.show(described?.notes ?? [], opened?.joining);
-    void coarse?.then((indices) => this.decimated(mesh, indices));
+    if (mesh.awaitsCoarse) void this.simplify(mesh, signal);
     if (!mesh.hasArea) this.notice.error(`${mesh.name}: no face has an area, so there is nothing to see.`);
     byId("welcome").hidden = true;
     this.shown = this.select.value = digest;
+  }
+
+  // Meanwhile, and if it fails, all is drawn.
+  private async simplify(mesh: SurfaceMesh, signal: AbortSignal): Promise<void> {
+    this.simplified(mesh, await simplify(mesh, this.coarseFaces, signal).catch(() => undefined));
   }
 
   async list(): Promise<void> {
@@ -182,11 +181,11 @@ export class MeshChooser {
     return this.files.get(digest)?.file.name ?? digest.slice(0, 8);
   }
 
-  private upload({ file, joining }: Opened, signal: AbortSignal): Promise<string> {
+  private upload({ file, joining }: Opened, signal: AbortSignal, digest?: string): Promise<string> {
     const show = (share: number) =>
       this.notice.busy(share < 1 ? `Sending ${file.name}` : `The server reads ${file.name}`, share < 1 ? share : undefined);
     show(0);
-    return uploadMesh(this.connection, file, joining, show, signal);
+    return uploadMesh(this.connection, file, joining, show, signal, digest);
   }
 
   private listenToDrops(stage: HTMLElement): void {

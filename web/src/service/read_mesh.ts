@@ -3,11 +3,10 @@
 import type { MeshArrays } from "../surface/mesh";
 import { about, type Connection } from "./connection";
 
-/** `counted` is told how many faces will come, `progress` shares from 0 to 1. */
+/** `progress` gets shares from 0 to 1. */
 export async function readMesh(
   connection: Connection,
   digest: string,
-  counted: (faceCount: number) => void,
   progress: (share: number) => void,
   signal: AbortSignal,
 ): Promise<MeshArrays> {
@@ -18,7 +17,6 @@ export async function readMesh(
     if (part.case === "header") {
       positions = new Float64Array(3 * Number(part.value.vertexCount));
       indices = new Uint32Array(3 * Number(part.value.faceCount));
-      counted(Number(part.value.faceCount));
     } else if (part.case === "vertices") {
       came += put(part.value.positions, positions, 3 * Number(part.value.firstVertex));
     } else if (part.case === "faces") {

@@ -17,7 +17,7 @@ import {
   UploadHeaderSchema,
   type CreateMeshRequest,
 } from "../../generated/geodesic/v1/mesh_service_pb";
-import type { Connection } from "./connection";
+import { about, type Connection } from "./connection";
 
 const FORMATS: Record<string, MeshFormat> = {
   obj: MeshFormat.OBJ,
@@ -50,18 +50,22 @@ export interface Joining {
   weldDistance?: number;
 }
 
-/** The digest of the file's mesh. `progress` gets shares from 0 to 1. */
+/**
+ * The digest of the file's mesh. `progress` gets shares from 0 to 1; `digest`, where it is
+ * known, leads to the server of this mesh behind a balancer.
+ */
 export async function uploadMesh(
   connection: Connection,
   file: File,
   joining: Joining,
   progress: (share: number) => void,
   signal: AbortSignal,
+  digest = "",
 ): Promise<string> {
   const reading = { format: formatOf(file.name), ...joining };
   const data = new Uint8Array(await file.arrayBuffer());
-  const known = await knownMesh(connection, reading, data, signal);
-  return known ?? send(connection, reading, data, progress, signal);
+  const known = await knownMesh(connection, reading, data, signal, digest);
+  return known ?? send(connection, reading, data, progress, signal, digest);
 }
 
 /** How a file is to be read. */
@@ -74,12 +78,16 @@ async function knownMesh(
   reading: Reading,
   data: Uint8Array<ArrayBuffer>,
   signal: AbortSignal,
+  digest: string,
 ): Promise<string | undefined> {
   // Browsers hash on secure pages only: https and this machine.
   if (!globalThis.crypto?.subtle) return undefined;
   const hash = new Uint8Array(await crypto.subtle.digest("SHA-256", data));
   const sha256 = Array.from(hash, (byte) => byte.toString(16).padStart(2, "0")).join("");
-  const answer = await connection.meshes.findMissingMeshes({ files: [{ ...reading, sha256 }] }, { signal });
+  const answer = await connection.meshes.findMissingMeshes(
+    { files: [{ ...reading, sha256 }] },
+    about(digest || sha256, signal),
+  );
   return answer.knownFiles[0]?.meshDigest;
 }
 
@@ -91,9 +99,10 @@ async function send(
   data: Uint8Array<ArrayBuffer>,
   progress: (share: number) => void,
   signal: AbortSignal,
+  digest: string,
 ): Promise<string> {
   const body = new Blob([...frames(reading, data)] as BlobPart[], { type: "application/grpc-web+proto" });
-  const answer = await post(connection, body, progress, signal);
+  const answer = await post(connection, body, progress, signal, digest);
   const message = readAnswer(answer);
   return fromBinary(CreateMeshResponseSchema, message).mesh?.digest ?? "";
 }
@@ -119,6 +128,7 @@ function post(
   body: Blob,
   progress: (share: number) => void,
   signal: AbortSignal,
+  digest: string,
 ): Promise<XMLHttpRequest> {
   return new Promise((resolve, reject) => {
     const request = new XMLHttpRequest();
@@ -127,6 +137,7 @@ function post(
     request.setRequestHeader("content-type", "application/grpc-web+proto");
     request.setRequestHeader("x-grpc-web", "1");
     if (connection.token) request.setRequestHeader("authorization", `Bearer ${connection.token}`);
+    if (digest) request.setRequestHeader("geo-mesh-digest", digest);
     request.upload.onprogress = (event) => progress(event.loaded / Math.max(event.total, 1));
     request.onload = () => resolve(request);
     request.onerror = () => reject(new ConnectError("the upload broke off", Code.Unavailable));

@@ -5,32 +5,38 @@
 #include <cstddef>
 #include <vector>
 
+#include "tolerances.h"
+
 namespace geodesic {
 namespace {
 
-// How far places lie beside a line, or (where its ends coincide) from a point.
+// How far places lie from a segment.
 class Chord {
  public:
-  Chord(const PlanePoint& from, const PlanePoint& to) : from_(from) {
+  Chord(const PlanePoint& from, const PlanePoint& to) : from_(from), to_(to) {
     const PlanePoint along = to - from;
-    const double length = Norm(along);
-    if (length > 0) normal_ = {-along.y / length, along.x / length};
+    length_ = Norm(along);
+    if (length_ > 0) along_ = {along.x / length_, along.y / length_};
   }
 
   double DistanceTo(const PlanePoint& place) const {
     const PlanePoint away = place - from_;
-    return normal_.x == 0 && normal_.y == 0 ? Norm(away)
-                                            : std::abs(Dot(normal_, away));
+    const double foot = Dot(along_, away);
+    if (foot <= 0) return Norm(away);
+    if (foot >= length_) return Norm(place - to_);
+    return std::abs(Cross(along_, away));
   }
 
+  // The farthest is an end, or where the arc runs along the chord, or around
+  // one of the chord's ends.
   double FarthestOn(const FrontArc& arc) const {
     double farthest = std::max(DistanceTo(arc.From()), DistanceTo(arc.To()));
     if (arc.front.is_straight()) return farthest;
     const PlanePoint& center = arc.front.way().from;
-    const PlanePoint out =
-        normal_.x == 0 && normal_.y == 0 ? center - from_ : normal_;
-    for (const double sign : {1.0, -1.0}) {
-      const double at = std::atan2(sign * out.y, sign * out.x);
+    for (const PlanePoint& out :
+         {PlanePoint{-along_.y, along_.x}, PlanePoint{along_.y, -along_.x},
+          center - from_, center - to_}) {
+      const double at = std::atan2(out.y, out.x);
       if (arc.front.Run(arc.begin, at) < arc.run) {
         farthest = std::max(farthest, DistanceTo(arc.front.At(at)));
       }
@@ -39,9 +45,16 @@ class Chord {
   }
 
  private:
-  PlanePoint from_;
-  PlanePoint normal_;
+  PlanePoint from_, to_;
+  PlanePoint along_;  // a unit vector; (0, 0) where the ends coincide
+  double length_ = 0;
 };
+
+double LengthOf(std::span<const FrontArc> arcs) {
+  double length = 0;
+  for (const FrontArc& arc : arcs) length += arc.front.LengthOf(arc.run);
+  return length;
+}
 
 // The part between two lengths along the arcs.
 std::vector<FrontArc> Part(std::span<const FrontArc> arcs, double from,
@@ -77,7 +90,7 @@ absl::Status ArcSampler::Along(const FrontArc& arc) const {
   return absl::OkStatus();
 }
 
-absl::Status ArcSampler::Between(std::span<const FrontArc> arcs) const {
+absl::Status ArcSampler::Within(std::span<const FrontArc> arcs) const {
   if (arcs.empty()) return absl::OkStatus();
   const Chord chord(arcs.front().From(), arcs.back().To());
   double farthest = 0;
@@ -90,21 +103,34 @@ absl::Status ArcSampler::Between(std::span<const FrontArc> arcs) const {
       arcs.subspan(1), {},
       [&](const FrontArc& arc) { return chord.DistanceTo(arc.From()); });
   const auto before = static_cast<size_t>(joint - arcs.begin());
-  absl::Status status = Between(arcs.first(before));
+  absl::Status status = Within(arcs.first(before));
   if (status.ok()) status = emit_(arcs[before].From());
-  if (status.ok()) status = Between(arcs.subspan(before));
+  if (status.ok()) status = Within(arcs.subspan(before));
   return status;
 }
 
+absl::Status ArcSampler::Between(std::span<const FrontArc> arcs) const {
+  if (arcs.empty()) return absl::OkStatus();
+  const bool leads_back =
+      Norm(arcs.front().From() - arcs.back().To()) <= kRoundedPlace;
+  return leads_back ? Thirds(arcs) : Within(arcs);
+}
+
 absl::Status ArcSampler::Around(std::span<const FrontArc> loop) const {
-  double length = 0;
-  for (const FrontArc& arc : loop) length += arc.front.LengthOf(arc.run);
+  if (loop.empty()) return absl::OkStatus();
+  absl::Status status = emit_(loop.front().From());
+  return status.ok() ? Thirds(loop) : status;
+}
+
+absl::Status ArcSampler::Thirds(std::span<const FrontArc> loop) const {
+  const double length = LengthOf(loop);
   for (int third = 0; third < 3; ++third) {
     const std::vector<FrontArc> part =
         Part(loop, length * third / 3, length * (third + 1) / 3);
     if (part.empty()) continue;
-    absl::Status status = emit_(part.front().From());
-    if (status.ok()) status = Between(part);
+    absl::Status status;
+    if (third > 0) status = emit_(part.front().From());
+    if (status.ok()) status = Within(part);
     if (!status.ok()) return status;
   }
   return absl::OkStatus();

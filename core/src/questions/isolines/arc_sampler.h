@@ -23,12 +23,16 @@ class ArcSampler {
   ArcSampler(double chord_error, const Emit& emit)
       : chord_error_(chord_error), emit_(emit) {}
 
-  // What lies between the ends.
+  // What lies between the ends; at least two points where they coincide.
   absl::Status Between(std::span<const FrontArc> arcs) const;
   // All around a loop, at least three points.
   absl::Status Around(std::span<const FrontArc> loop) const;
 
  private:
+  // Between ends that differ.
+  absl::Status Within(std::span<const FrontArc> arcs) const;
+  // Between the ends of a loop, at least two points.
+  absl::Status Thirds(std::span<const FrontArc> loop) const;
   absl::Status Along(const FrontArc& arc) const;
 
   const double chord_error_;

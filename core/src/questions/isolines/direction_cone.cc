@@ -1,5 +1,7 @@
 #include "questions/isolines/direction_cone.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "tolerances.h"
@@ -36,8 +38,12 @@ double DirectionCone::FarthestFrom(const PlanePoint& chord) const {
     return std::numeric_limits<double>::infinity();
   }
   if (right_sine <= 0 || left_sine <= 0) return length * kSameRay;
-  // The height of the triangle that the two outermost tangents make with it.
-  return length / (Dot(right_, out) / right_sine + Dot(out, left_) / left_sine);
+  // The tip of the triangle that the two outermost tangents make with it;
+  // beyond an end of the chord where the angle there is blunt.
+  const double at_right = Dot(right_, out) / right_sine;
+  const double at_left = Dot(out, left_) / left_sine;
+  const double height = length / (at_right + at_left);
+  return height * std::hypot(1, std::min({at_right, at_left, 0.0}));
 }
 
 }  // namespace geodesic
