@@ -1,12 +1,15 @@
 // geodesicd: the geodesic query server.
 
+#include <fcntl.h>
 #include <malloc.h>
 #include <pthread.h>
 #include <signal.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <cstdlib>
 #include <exception>
@@ -67,11 +70,15 @@ class ProcessSignals {
   std::jthread thread_;
 };
 
-// Writes the file, if one is named.
+// Writes the file, if one is named. A pipe that nobody reads is not waited for.
 bool WriteLine(const std::string& path, const std::string& line) {
   if (path.empty()) return true;
+  const int probe = open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+  if (probe < 0 && errno == ENXIO) return false;
   std::ofstream file(path);
-  return static_cast<bool>(file << line << '\n' << std::flush);
+  const bool is_written = static_cast<bool>(file << line << '\n' << std::flush);
+  if (probe >= 0) close(probe);
+  return is_written;
 }
 
 // As many descriptors as this process may have. The soft limit of most systems

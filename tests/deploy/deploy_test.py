@@ -44,7 +44,7 @@ def settings_of_server():
     variables = dict(
         (name, default) for default, name in re.findall(
             # "=4GiB", or "[4GiB]" from CLI11 2.4 on.
-            r"^  --[a-z-]+[^=[\n(]*(?:[=[]([^]\s]+)\]?)? +\(Env:(\w+)\)", text,
+            r"^  --[a-z-]+(?: NAME=VALUE)?[^=[\n(]*(?:[=[]([^]\s]+)\]?)? +\(Env:(\w+)\)", text,
             re.M))
     return flags, variables
 

@@ -54,6 +54,27 @@ TEST_F(JobQueueTest, ClientsTakeTurns) {
   EXPECT_EQ(StartAll(), (Numbers{0, 4, 5, 1, 6, 2, 3}));
 }
 
+// A long row of one client is not worth a short one of another.
+TEST_F(JobQueueTest, WhoHasUsedLessGoesFirst) {
+  using std::chrono::milliseconds;
+  for (int i = 0; i < 3; ++i) Push(JobPriority::kRow, "long");  // 0 to 2
+  EXPECT_EQ(queue_.Next(), 0);
+  queue_.Start();
+  for (int i = 0; i < 3; ++i) Push(JobPriority::kRow, "short");  // 3 to 5
+  queue_.Done("long", milliseconds(300));
+  for (const uint64_t number : {3, 4, 5}) {
+    EXPECT_EQ(queue_.Next(), number);
+    queue_.Start();
+    queue_.Done("short", milliseconds(2));
+  }
+  // Who comes later has used no less than the others.
+  Push(JobPriority::kRow, "late");  // 6
+  EXPECT_EQ(queue_.Next(), 1);
+  queue_.Start();
+  queue_.Done("long", milliseconds(300));
+  EXPECT_EQ(StartAll(), (Numbers{6, 2}));
+}
+
 TEST_F(JobQueueTest, WhoComesBackStandsBehindTheOthers) {
   Push(JobPriority::kSolve, "many");  // 0
   Push(JobPriority::kSolve, "many");  // 1

@@ -18,6 +18,14 @@
 
 namespace geodesic::client {
 
+// Whoever asks a server need not name two namespaces.
+using geodesic::Curve;
+using geodesic::EdgePoint;
+using geodesic::FacePoint;
+using geodesic::Source;
+using geodesic::SurfacePoint;
+using geodesic::VertexPoint;
+
 // A question for the distances of all vertices.
 struct FieldQuery {
   // The mesh's digest, 64 hexadecimal digits.

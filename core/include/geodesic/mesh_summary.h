@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "absl/status/statusor.h"
+#include "geodesic/checkpoint.h"
 #include "geodesic/mesh.h"
 
 namespace geodesic {
@@ -69,6 +71,9 @@ struct MeshSummary {
 
 // O(V + F). Thread-safe.
 MeshSummary Summarize(const Mesh& mesh);
+// The same; asks the checkpoint every few milliseconds. Errors: as
+// `checkpoint`.
+absl::StatusOr<MeshSummary> Summarize(const Mesh& mesh, Checkpoint& checkpoint);
 
 // The part of the summary that Notes tells of: O(F), and less than a part of
 // building the mesh.

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
 #include "absl/strings/str_cat.h"
 #include "geodesic/checkpoint.h"
 #include "mesh/close_edges.h"
@@ -19,6 +21,9 @@
 
 namespace geodesic {
 namespace {
+
+// Some milliseconds.
+constexpr uint32_t kFacesBetweenPolls = 1 << 16;
 
 // Whether faces can be turned over so that all agree. O(F).
 bool IsOrientable(const Mesh& mesh) {
@@ -111,26 +116,33 @@ uint64_t CountBoundaryLoops(const Mesh& mesh,
 class Survey {
  public:
   Survey(const Mesh& mesh, MeshSummary& summary)
-      : mesh_(mesh), summary_(summary), pieces_(mesh.half_edge_count() / 3) {
+      : mesh_(mesh), summary_(summary), pieces_(mesh.half_edge_count() / 3) {}
+
+  absl::Status Run(Checkpoint& checkpoint) {
     double anisotropy_sum = 0;
-    const uint32_t faces = mesh.half_edge_count() / 3;
+    const uint32_t faces = mesh_.half_edge_count() / 3;
     for (uint32_t f = 0; f < faces; ++f) {
+      if (f % kFacesBetweenPolls == 0) {
+        absl::Status status = checkpoint.Poll({});
+        if (!status.ok()) return status;
+      }
       anisotropy_sum += MeasureFace(f);
       for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) CountSide(h);
     }
-    const uint64_t with_area = faces - summary.degenerate_faces;
+    const uint64_t with_area = faces - summary_.degenerate_faces;
     if (with_area > 0) {
-      summary.anisotropy = anisotropy_sum / static_cast<double>(with_area);
+      summary_.anisotropy = anisotropy_sum / static_cast<double>(with_area);
     }
-    summary.boundary_edges = boundary_.size();
+    summary_.boundary_edges = boundary_.size();
     pieces_through_edges_ = pieces_.count();
     // Faces around any other vertex hang together by their edges.
-    for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-      if (!mesh.IsNonManifold(v)) continue;
-      const std::span<const HalfEdge> outgoing = mesh.Outgoing(v);
+    for (uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
+      if (!mesh_.IsNonManifold(v)) continue;
+      const std::span<const HalfEdge> outgoing = mesh_.Outgoing(v);
       for (HalfEdge h : outgoing) pieces_.Join(h / 3, outgoing[0] / 3);
     }
-    summary.components = pieces_.count();
+    summary_.components = pieces_.count();
+    return checkpoint.Poll({});
   }
 
   std::span<const HalfEdge> boundary() const { return boundary_; }
@@ -188,13 +200,16 @@ double RoundedUp(double x) {
 // Where more edges lie together than this, some that are close may go untold.
 constexpr uint32_t kMostCompared = 64;
 
+// O(the lesser valence), or O(1) for a vertex and itself, which may be a hub.
 bool AreNeighbours(const Mesh& mesh, uint32_t a, uint32_t b) {
-  return VisitSides(mesh, a, b, [](HalfEdge) { return true; });
+  return a != b && VisitSides(mesh, a, b, [](HalfEdge) { return true; });
 }
 
 // Counts boundary edges that were perhaps meant to be joined.
-void CountCloseEdges(const Mesh& mesh, std::span<const HalfEdge> boundary,
-                     MeshSummary& summary) {
+// Errors: whatever `checkpoint` returns.
+absl::Status CountCloseEdges(const Mesh& mesh,
+                             std::span<const HalfEdge> boundary,
+                             Checkpoint& checkpoint, MeshSummary& summary) {
   std::vector<HalfEdge> sides;
   std::vector<VertexPair> edges;
   edges.reserve(boundary.size());
@@ -207,17 +222,17 @@ void CountCloseEdges(const Mesh& mesh, std::span<const HalfEdge> boundary,
     edges.push_back({low, high});
     length += std::ldexp(mesh.frame(h).length, mesh.scale_exponent());
   }
-  if (edges.empty()) return;
+  if (edges.empty()) return absl::OkStatus();
   const Closeness closeness = {
       .distance = kSuspicious * length / static_cast<double>(edges.size()),
       .part = kSuspicious};
   CloseEdges grid(mesh.positions(), edges, closeness);
-  NoCheckpoint checkpoint;
   std::vector<ClosePair> pairs;
   std::vector<HalfEdge> others;
   for (uint32_t i = 0; i < edges.size(); ++i) {
     pairs.clear();
-    (void)grid.Find(i, checkpoint, pairs, kMostCompared);
+    absl::Status status = grid.Find(i, checkpoint, pairs, kMostCompared);
+    if (!status.ok()) return status;
     // Neighbours are not joined: a face would lose a side.
     std::erase_if(pairs, [&](const ClosePair& pair) {
       VertexPair from = edges[pair.first];
@@ -235,19 +250,22 @@ void CountCloseEdges(const Mesh& mesh, std::span<const HalfEdge> boundary,
         std::max(summary.close_edge_distance,
                  std::ranges::min(pairs, {}, &ClosePair::distance).distance);
   }
-  summary.touching_edges = CountTouchingEdges(mesh, others);
+  absl::StatusOr<uint64_t> touching =
+      CountTouchingEdges(mesh, others, checkpoint);
+  if (touching.ok()) summary.touching_edges = *touching;
+  return touching.status();
 }
 
 // Fills in what SummarizeReading promises.
-void TellOfReading(const Mesh& mesh, std::span<const HalfEdge> boundary,
-                   MeshSummary& summary) {
+absl::Status TellOfReading(const Mesh& mesh, std::span<const HalfEdge> boundary,
+                           Checkpoint& checkpoint, MeshSummary& summary) {
   const Reading& reading = mesh.reading();
   summary.left_out_faces = mesh.left_out_face_count();
   summary.seam_edges = reading.seam_edges;
   summary.joined_vertices = reading.joined.size();
   summary.crossing_polygons = reading.crossing_polygons;
   summary.first_crossing_polygon = reading.first_crossing_polygon;
-  CountCloseEdges(mesh, boundary, summary);
+  return CountCloseEdges(mesh, boundary, checkpoint, summary);
 }
 
 }  // namespace
@@ -258,21 +276,33 @@ MeshSummary SummarizeReading(const Mesh& mesh) {
     if (mesh.IsBoundaryEdge(h)) boundary.push_back(h);
   }
   MeshSummary summary;
-  TellOfReading(mesh, boundary, summary);
+  NoCheckpoint goes_on;
+  (void)TellOfReading(mesh, boundary, goes_on, summary);
   return summary;
 }
 
 MeshSummary Summarize(const Mesh& mesh) {
+  NoCheckpoint goes_on;
+  return *Summarize(mesh, goes_on);
+}
+
+absl::StatusOr<MeshSummary> Summarize(const Mesh& mesh,
+                                      Checkpoint& checkpoint) {
   MeshSummary summary;
   summary.vertices = mesh.vertex_count();
   summary.faces = mesh.face_count();
 
   summary.mean_edge_length =
       std::ldexp(mesh.mean_edge_length(), mesh.scale_exponent());
-  const Survey survey(mesh, summary);
-  TellOfReading(mesh, survey.boundary(), summary);
+  Survey survey(mesh, summary);
+  absl::Status status = survey.Run(checkpoint);
+  if (!status.ok()) return status;
+  status = TellOfReading(mesh, survey.boundary(), checkpoint, summary);
+  if (!status.ok()) return status;
   summary.is_orientable = IsOrientable(mesh);
+  if (status = checkpoint.Poll({}); !status.ok()) return status;
   Fans fans(mesh);
+  if (status = checkpoint.Poll({}); !status.ok()) return status;
   summary.boundary_loops = CountBoundaryLoops(mesh, survey.boundary(), fans);
   if (summary.is_orientable && summary.non_manifold_edges == 0) {
     // Euler's formula for the surface with touching fans pulled apart.

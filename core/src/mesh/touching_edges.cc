@@ -17,8 +17,18 @@ namespace {
 
 constexpr uint32_t kNone = 0xffffffffu;
 
-// In one cube, or in one place; the rest go uncounted.
+// In one place, and near one edge; the rest go uncounted.
 constexpr uint32_t kMostTogether = 64;
+constexpr uint32_t kMostNear = 512;
+
+// Some milliseconds.
+constexpr uint32_t kEdgesBetweenPolls = 256;
+constexpr uint32_t kInsertedBetweenPolls = 8192;
+
+absl::Status PollAt(uint32_t i, Checkpoint& checkpoint) {
+  return i % kInsertedBetweenPolls == 0 ? checkpoint.Poll({})
+                                        : absl::OkStatus();
+}
 
 // Edges that have no more than this part of the shorter one in common touch in
 // a corner.
@@ -93,10 +103,17 @@ bool AreOfOneStrip(const Mesh& mesh, HalfEdge a, HalfEdge b) {
 class SegmentGrids {
  public:
   explicit SegmentGrids(std::span<const Segment> segments)
-      : segments_(segments) {
-    for (uint32_t i = 0; i < segments.size(); ++i) {
-      if (segments[i].length > 0) Insert(i);
+      : segments_(segments) {}
+
+  // Call once.
+  absl::Status Fill(Checkpoint& checkpoint) {
+    for (uint32_t i = 0; i < segments_.size(); ++i) {
+      if (absl::Status status = PollAt(i, checkpoint); !status.ok()) {
+        return status;
+      }
+      if (segments_[i].length > 0) Insert(i);
     }
+    return absl::OkStatus();
   }
 
   // Calls visit(number) for segments near this one, among them all that it lies
@@ -104,14 +121,16 @@ class SegmentGrids {
   template <typename Visit>
   void VisitNear(const Segment& segment, Visit visit) const {
     const int own = LevelOf(segment.length);
+    uint32_t most = kMostNear;
     for (auto level = levels_.lower_bound(own);
          level != levels_.end() && *level <= own + kMostLevels; ++level) {
       VisitCubes(segment, *level, [&](const Cube& cube) {
         const auto found = last_.find(cube);
         if (found == last_.end()) return;
-        uint32_t most = kMostTogether;
-        for (uint32_t i = found->second; i != kNone && most > 0;
-             i = entries_[i].before, --most) {
+        uint32_t most_here = kMostTogether;
+        for (uint32_t i = found->second;
+             i != kNone && most_here > 0 && most > 0;
+             i = entries_[i].before, --most_here, --most) {
           visit(entries_[i].segment);
         }
       });
@@ -172,10 +191,16 @@ class SegmentGrids {
 // The vertices of the mesh in the places where the ends of some edges are.
 class Places {
  public:
-  Places(const Mesh& mesh, std::span<const HalfEdge> edges) : mesh_(mesh) {
-    for (const HalfEdge h : edges) {
-      for (const uint32_t v : {mesh.From(h), mesh.To(h)}) {
-        vertices_.try_emplace(mesh.positions()[v]);
+  explicit Places(const Mesh& mesh) : mesh_(mesh) {}
+
+  // Call once.
+  absl::Status Fill(std::span<const HalfEdge> edges, Checkpoint& checkpoint) {
+    for (uint32_t i = 0; i < edges.size(); ++i) {
+      if (absl::Status status = PollAt(i, checkpoint); !status.ok()) {
+        return status;
+      }
+      for (const uint32_t v : {mesh_.From(edges[i]), mesh_.To(edges[i])}) {
+        vertices_.try_emplace(mesh_.positions()[v]);
       }
     }
     // Most vertices are told apart by a bit.
@@ -184,14 +209,18 @@ class Places {
       return marks[Hash(point) & (marks.size() - 1)];
     };
     for (const auto& [point, unused] : vertices_) mark(point) = true;
-    for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-      const Point& point = mesh.positions()[v];
-      if (!mark(point) || mesh.Outgoing(v).empty()) continue;
+    for (uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
+      if (absl::Status status = PollAt(v, checkpoint); !status.ok()) {
+        return status;
+      }
+      const Point& point = mesh_.positions()[v];
+      if (!mark(point) || mesh_.Outgoing(v).empty()) continue;
       const auto found = vertices_.find(point);
       if (found != vertices_.end() && found->second.size() < kMostTogether) {
         found->second.push_back(v);
       }
     }
+    return absl::OkStatus();
   }
 
   // Whether an edge between the places of the ends of this one is no boundary.
@@ -228,16 +257,24 @@ class Places {
 
 }  // namespace
 
-uint64_t CountTouchingEdges(const Mesh& mesh,
-                            std::span<const HalfEdge> boundary) {
+absl::StatusOr<uint64_t> CountTouchingEdges(const Mesh& mesh,
+                                            std::span<const HalfEdge> boundary,
+                                            Checkpoint& checkpoint) {
   if (boundary.empty()) return 0;
   std::vector<Segment> segments;
   segments.reserve(boundary.size());
   for (const HalfEdge h : boundary) segments.push_back(SegmentOf(mesh, h));
-  const SegmentGrids grids(segments);
-  const Places places(mesh, boundary);
+  SegmentGrids grids(segments);
+  absl::Status status = grids.Fill(checkpoint);
+  if (!status.ok()) return status;
+  Places places(mesh);
+  status = places.Fill(boundary, checkpoint);
+  if (!status.ok()) return status;
   std::vector<bool> is_touching(segments.size());
   for (uint32_t i = 0; i < segments.size(); ++i) {
+    if (i % kEdgesBetweenPolls == 0) {
+      if (status = checkpoint.Poll({}); !status.ok()) return status;
+    }
     if (!(segments[i].length > 0)) continue;
     if (places.HasInnerEdge(boundary[i])) is_touching[i] = true;
     grids.VisitNear(segments[i], [&](uint32_t other) {

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <span>
 
+#include "absl/status/statusor.h"
+#include "geodesic/checkpoint.h"
 #include "geodesic/mesh.h"
 
 namespace geodesic {
@@ -17,9 +19,11 @@ namespace geodesic {
 //   or end to end, in the same coordinates, along an edge that is no boundary.
 // O(V + edges), once for each power of two among the lengths; where more edges
 // than some dozens lie together, some may go uncounted. Edges without length
-// touch nothing.
-uint64_t CountTouchingEdges(const Mesh& mesh,
-                            std::span<const HalfEdge> boundary);
+// touch nothing. Errors: whatever `checkpoint` returns, asked every few
+// milliseconds.
+absl::StatusOr<uint64_t> CountTouchingEdges(const Mesh& mesh,
+                                            std::span<const HalfEdge> boundary,
+                                            Checkpoint& checkpoint);
 
 }  // namespace geodesic
 

@@ -1,5 +1,6 @@
 #include "server/engine/jobs/job_queue.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace geodesic::server {
@@ -15,7 +16,33 @@ constexpr auto kStoreLane = static_cast<size_t>(JobPriority::kStore);
 void JobQueue::Push(uint64_t number, WaitingJob waiting) {
   const Job& job = jobs_.emplace(number, std::move(waiting)).first->second.job;
   if (!job.is_continuation) Hold(job.client);
+  const auto [account, is_new] = accounts_.try_emplace(job.client);
+  if (is_new) {
+    account->second.used = Duration::max();
+    for (const auto& [client, other] : accounts_) {
+      account->second.used = std::min(account->second.used, other.used);
+    }
+    if (accounts_.size() == 1) account->second.used = Duration{0};
+  }
+  ++account->second.jobs;
   Enter(number, job);
+}
+
+void JobQueue::Done(const std::string& client, Duration ran) {
+  accounts_.at(client).used += ran;
+  Close(client);
+}
+
+void JobQueue::Close(const std::string& client) {
+  const auto account = accounts_.find(client);
+  if (--account->second.jobs == 0) accounts_.erase(account);
+}
+
+std::list<JobQueue::Line>::const_iterator JobQueue::First(
+    const Lane& lane) const {
+  return std::ranges::min_element(lane.turns, {}, [this](const Line& line) {
+    return accounts_.at(line.client).used;
+  });
 }
 
 size_t JobQueue::MostUrgent() const {
@@ -38,7 +65,7 @@ size_t JobQueue::NextLane() const {
 }
 
 uint64_t JobQueue::Next() const {
-  return *lanes_[NextLane()].turns.front().numbers.begin();
+  return *First(lanes_[NextLane()])->numbers.begin();
 }
 
 std::optional<uint64_t> JobQueue::Oldest(
@@ -53,10 +80,11 @@ WaitingJob JobQueue::Start() {
   const size_t urgent = MostUrgent();
   const size_t next = NextLane();
   Lane& lane = lanes_[next];
-  const uint64_t number = *lane.turns.front().numbers.begin();
-  // The client's line goes to the end; Remove drops it with its last job.
-  lane.turns.splice(lane.turns.end(), lane.turns, lane.turns.begin());
-  WaitingJob started = *Remove(number);
+  const auto first = First(lane);
+  const uint64_t number = *first->numbers.begin();
+  // The client's line goes to the end, and is dropped with its last job.
+  lane.turns.splice(lane.turns.end(), lane.turns, first);
+  WaitingJob started = TakeOut(number);
 
   bool passed = false;
   for (size_t other = next + 1; other < kStoreLane; ++other) {
@@ -71,8 +99,16 @@ WaitingJob JobQueue::Start() {
 }
 
 std::optional<WaitingJob> JobQueue::Remove(uint64_t number) {
+  if (!jobs_.contains(number)) return std::nullopt;
+  WaitingJob waiting = TakeOut(number);
+  Close(waiting.job.client);
+  return waiting;
+}
+
+WaitingJob JobQueue::StartOutOfTurn(uint64_t number) { return TakeOut(number); }
+
+WaitingJob JobQueue::TakeOut(uint64_t number) {
   const auto it = jobs_.find(number);
-  if (it == jobs_.end()) return std::nullopt;
   WaitingJob waiting = std::move(it->second);
   jobs_.erase(it);
   Leave(number, waiting.job);

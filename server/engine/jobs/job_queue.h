@@ -1,7 +1,8 @@
 // The jobs that wait for a thread, in the order in which they will get one.
 //
 //   1. A more urgent job goes before a less urgent one.
-//   2. Among equally urgent jobs, clients take turns, one job each.
+//   2. Among equally urgent jobs, the client goes first whose jobs have run for
+//      the least time; those with as much take turns, one job each.
 //   3. A client's jobs go in order of age.
 //
 // Urgent jobs must not delay the others for ever, so one start of nine goes to
@@ -110,8 +111,16 @@ class JobQueue {
   // The oldest job that `can_start`. O(n).
   std::optional<uint64_t> Oldest(absl::FunctionRef<bool(Job&)> can_start);
 
-  // Takes out the next job and ends its client's turn. REQUIRES: !empty().
+  // Takes out the next job and ends its client's turn; or that job, out of
+  // turn. REQUIRES: !empty(); the job is in the queue. When it has ended, or
+  // will not run, call Done.
   WaitingJob Start();
+  WaitingJob StartOutOfTurn(uint64_t number);
+
+  // A job of the client that was started has ended, and ran for so long. What a
+  // client has used counts as long as it has jobs; one that comes later begins
+  // with the least of the others'.
+  void Done(const std::string& client, Duration ran);
 
   // Takes out a job that will not start; empty if it is not in the queue.
   std::optional<WaitingJob> Remove(uint64_t number);
@@ -154,12 +163,21 @@ class JobQueue {
   // The first lane that is not empty. REQUIRES: there is one.
   size_t MostUrgent() const;
   size_t NextLane() const;
+  // The line in front. REQUIRES: there is one. O(clients).
+  std::list<Line>::const_iterator First(const Lane& lane) const;
+  WaitingJob TakeOut(uint64_t number);
+  void Close(const std::string& client);
   void Enter(uint64_t number, const Job& job);
   void Leave(uint64_t number, const Job& job);
 
   std::map<uint64_t, WaitingJob> jobs_;
   size_t places_ = 0;
   std::map<std::string, size_t> clients_;  // places of each that has any
+  struct Account {
+    Duration used{0};
+    size_t jobs = 0;  // that wait or run
+  };
+  std::map<std::string, Account> accounts_;  // of clients that have any
   std::array<Lane, kJobPriorities> lanes_;
   // Starts in a row that passed over a less urgent job.
   uint64_t passes_ = 0;

@@ -248,9 +248,12 @@ void Scheduler::RunOne(Line& line) {
     const std::stop_source source;
     running_.emplace(id, source);
     ++line.running;
+    const std::string client = started->job.client;
     lock.unlock();
-    bool goes_on = Run(*started, source);
+    Duration ran{0};
+    bool goes_on = Run(*started, source, ran);
     lock.lock();
+    line.queue.Done(client, ran);
     if (goes_on && !stopped_ && !source.stop_requested()) {
       Line& next = LineOf(started->job);
       next.queue.Push(id, {std::move(started->job), Now()});
@@ -272,7 +275,8 @@ void Scheduler::RunOne(Line& line) {
   if (IsIdle()) idle_.notify_all();
 }
 
-bool Scheduler::Run(WaitingJob& started, const std::stop_source& source) {
+bool Scheduler::Run(WaitingJob& started, const std::stop_source& source,
+                    Duration& ran) {
   JobTimes times{.priority = started.job.priority};
   const TimePoint begin = Now();
   times.waited = begin - started.since;
@@ -280,8 +284,9 @@ bool Scheduler::Run(WaitingJob& started, const std::stop_source& source) {
   const bool goes_on = started.job.goes_on && started.job.goes_on();
   // What the job captured is freed before the job counts as done.
   if (!goes_on) started.job = Job();
+  ran = Now() - begin;
   if (ended_) {
-    times.ran = Now() - begin;
+    times.ran = ran;
     times.was_stopped = source.stop_requested();
     ended_(times);
   }
@@ -312,10 +317,11 @@ std::optional<WaitingJob> Scheduler::StartNext(
       if (other.has_value()) {
         ++next.overtaken;
         id = *other;
-        return queue.Remove(*other);
+        return queue.StartOutOfTurn(*other);
       }
     }
     WaitingJob refused = queue.Start();
+    queue.Done(refused.job.client, Duration{0});
     progressed = true;
     lock.unlock();
     refused.job.abandon(room);

@@ -128,8 +128,8 @@ class Scheduler {
 
   void RunOne(Line& line);
   TimePoint Now() const;
-  // Runs the job; returns whether it goes on.
-  bool Run(WaitingJob& started, const std::stop_source& source);
+  // Runs the job, and says for how long; returns whether it goes on.
+  bool Run(WaitingJob& started, const std::stop_source& source, Duration& ran);
 
   // The rest REQUIRES: mutex_ held.
 

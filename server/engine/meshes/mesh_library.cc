@@ -370,8 +370,9 @@ absl::StatusOr<std::optional<UploadResult>> MeshLibrary::Build(
                ? WithFieldPath(built.status(), "chunk.data")
                : built.status();
   }
-  build.built = {upload.digest(), *built, Summarize(**built)};
-  if (absl::Status s = checkpoint.Poll({}); !s.ok()) return s;
+  absl::StatusOr<MeshSummary> summary = Summarize(**built, checkpoint);
+  if (!summary.ok()) return summary.status();
+  build.built = {upload.digest(), *built, *std::move(summary)};
   // What the build took beside the mesh.
   upload.memory().ShrinkTo(0);
   if (catalogue_->is_durable()) return std::nullopt;
@@ -525,7 +526,9 @@ absl::StatusOr<ResidentMesh> MeshLibrary::Fetch(MeshLoad& load,
       Mesh::Build(*std::move(soup), checkpoint);
   if (absl::IsInvalidArgument(built.status())) return NotResident(load.digest);
   if (!built.ok()) return built.status();
-  return ResidentMesh{load.digest, *built, Summarize(**built)};
+  absl::StatusOr<MeshSummary> summary = Summarize(**built, checkpoint);
+  if (!summary.ok()) return summary.status();
+  return ResidentMesh{load.digest, *built, *std::move(summary)};
 }
 
 absl::StatusOr<MeshHandle> MeshLibrary::KeepFetched(MeshLoad& load) {

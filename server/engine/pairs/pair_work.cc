@@ -149,6 +149,9 @@ absl::Status PairWork::Search(const std::vector<uint32_t>& numbers,
     ++answered.searched;
     ++totals.searched;
   }
+  if (search && status.ok() && TargetSearch::IsDirected(algorithm)) {
+    searches.landmarks().Want(mesh);
+  }
   if (search) search->GiveBack();
   return status;
 }
@@ -207,7 +210,7 @@ absl::Status PairWork::Approximate(const PairRow& row, Checkpoint& checkpoint,
   const auto* unfolding =
       dynamic_cast<const TriangleUnfolding*>(method->method.get());
   const LandmarksHandle known =
-      graph == nullptr ? nullptr : searches.landmarks().Wanted(mesh);
+      graph == nullptr ? nullptr : searches.landmarks().Present(*mesh);
   std::optional<SaddleGraphSearch> search;
   if (graph != nullptr) search.emplace(*graph);
   for (const uint32_t number : row.pairs) {
@@ -220,6 +223,7 @@ absl::Status PairWork::Approximate(const PairRow& row, Checkpoint& checkpoint,
                          .solver_bytes = search ? search->bytes() : 0});
     if (!status.ok()) return status;
   }
+  if (graph != nullptr) searches.landmarks().Want(mesh);
   answered.searched += count;
   totals.searched += count;
   return absl::OkStatus();

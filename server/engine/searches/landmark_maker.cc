@@ -108,13 +108,15 @@ LandmarkMaker::LandmarkMaker(const SolveOptions& options, const Clock& clock,
       scheduler_(scheduler),
       meshes_(meshes) {}
 
-LandmarksHandle LandmarkMaker::Wanted(const MeshHandle& mesh) {
-  LandmarkStore& store = meshes_.landmarks();
-  LandmarksHandle present = store.Find(mesh->digest);
-  if (!HasEnough(present, Landmarks::kMost) && store.CanHold(*mesh->mesh)) {
+LandmarksHandle LandmarkMaker::Present(const ResidentMesh& mesh) const {
+  return meshes_.landmarks().Find(mesh.digest);
+}
+
+void LandmarkMaker::Want(const MeshHandle& mesh) {
+  if (!HasEnough(Present(*mesh), Landmarks::kMost) &&
+      meshes_.landmarks().CanHold(*mesh->mesh)) {
     Enqueue(mesh);
   }
-  return present;
 }
 
 void LandmarkMaker::Enqueue(const MeshHandle& mesh) {

@@ -1,6 +1,8 @@
 // Makes landmarks of meshes in time that nobody needs.
 //
-//   LandmarksHandle landmarks = maker.Wanted(mesh);  // those of now, or null
+//   LandmarksHandle landmarks = maker.Present(*mesh);  // those of now, or null
+//   ...
+//   maker.Want(mesh);                                  // for the next question
 //
 // A step computes the field of one landmark. While the scheduler is busy, and
 // shortly after, a step works for a tenth of the time, so that questions which
@@ -48,10 +50,13 @@ class LandmarkMaker {
   // Call before any other method.
   void Attach(LandmarkFiles& files) { files_ = &files; }
 
-  // Says that a question about the mesh would be faster with landmarks, and
-  // returns those there are, perhaps null. If more would help, they are made
-  // later. Does not pin the mesh for that.
-  LandmarksHandle Wanted(const MeshHandle& mesh);
+  // Those there are, perhaps null.
+  LandmarksHandle Present(const ResidentMesh& mesh) const;
+
+  // Says that a question about the mesh was answered that is faster with
+  // landmarks. If more would help, they are made later. Does not pin the mesh
+  // for that.
+  void Want(const MeshHandle& mesh);
 
   // Makes what is missing of `count` landmarks, or none if there is no room for
   // them, on the calling thread: for a question that is long enough to pay for

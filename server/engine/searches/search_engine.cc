@@ -20,7 +20,7 @@ SearchMeans SearchEngine::MeansFor(const MeshHandle& mesh,
   SearchMeans means;
   // A field makes no use of landmarks.
   if (!TargetSearch::IsDirected(algorithm)) return means;
-  means.landmarks = landmarks_.Wanted(mesh);
+  means.landmarks = landmarks_.Present(*mesh);
   means.field_in_searches = FieldInSearches(
       means.landmarks == nullptr ? 0 : means.landmarks->count());
   return means;
@@ -34,6 +34,9 @@ absl::StatusOr<TargetDistances> SearchEngine::Run(const MeshHandle& mesh,
   absl::StatusOr<TargetDistances> found =
       search->Run(query, means.landmarks.get(), checkpoint);
   search.GiveBack();
+  if (found.ok() && TargetSearch::IsDirected(query->algorithm)) {
+    landmarks_.Want(mesh);
+  }
   return found;
 }
 

@@ -417,7 +417,8 @@ class AnswerStream : public Call<ResponseType> {
     if constexpr (requires { message_.mutable_progress(); }) {
       is_quiet_ = true;
       quiet_watch_.emplace();
-      quiet_watch_->Set(std::chrono::system_clock::now() + kQuiet,
+      // What was sent last may have been sent just after a watch began.
+      quiet_watch_->Set(std::chrono::system_clock::now() + kQuiet / 2,
                         [self = this->Shared(this)](bool has_passed) {
                           if (has_passed) self->OnQuiet();
                         });

@@ -11,6 +11,7 @@
 
 #include "absl/status/status.h"
 #include "geodesic/mesh.h"
+#include "geodesic/mesh_summary.h"
 #include "tests/support/checkpoints.h"
 #include "tests/support/crowded_meshes.h"
 #include "tests/support/curved_meshes.h"
@@ -109,6 +110,23 @@ TEST(Stopping, GradientsInOnePointTakeAStepForEachVertex) {
   constexpr uint32_t kFaces = 8 * kSteps;
   const uint64_t polls = PollsOf("gradients", FanInOnePoint(kFaces), 1);
   EXPECT_LE(polls, 2 + 2 * kFaces / kSteps);
+}
+
+// It asks for every 256 edges at a boundary, however many meet in a vertex.
+TEST(Stopping, ASummaryAsksWhereManyEdgesMeet) {
+  for (const TriangleSoup& soup : {Pages(8 * kSteps), FanInOnePoint(kSteps)}) {
+    const auto mesh = Mesh::Build(soup).value();
+    RecordingCheckpoint whole;
+    const absl::StatusOr<MeshSummary> summary = Summarize(*mesh, whole);
+    ASSERT_TRUE(summary.ok());
+    const uint64_t polls = whole.polls().size();
+    EXPECT_GT(polls, summary->boundary_edges / 1024);
+    for (uint64_t poll = 0; poll < polls; poll += 1 + poll / 2) {
+      RecordingCheckpoint checkpoint(poll);
+      EXPECT_EQ(Summarize(*mesh, checkpoint).status(),
+                RecordingCheckpoint::Stopped());
+    }
+  }
 }
 
 }  // namespace

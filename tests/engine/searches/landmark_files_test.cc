@@ -32,9 +32,9 @@ class LandmarkFilesTest : public test::DurableEngineTest {
   LandmarksHandle Wanted() {
     const auto mesh = Await(digest_);
     EXPECT_TRUE(mesh.ok()) << mesh.status();
-    (void)engine_->searches().landmarks().Wanted(*mesh);
+    engine_->searches().landmarks().Want(*mesh);
     executor_.RunAll();
-    return engine_->searches().landmarks().Wanted(*mesh);
+    return engine_->searches().landmarks().Present(**mesh);
   }
 
   std::vector<std::string> Files() const {

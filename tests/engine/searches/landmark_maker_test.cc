@@ -38,7 +38,9 @@ class LandmarkMakerTest : public EngineTest {
   }
 
   LandmarksHandle Wanted() {
-    return engine_.searches().landmarks().Wanted(mesh_);
+    LandmarkMaker& maker = engine_.searches().landmarks();
+    maker.Want(mesh_);
+    return maker.Present(*mesh_);
   }
   uint32_t Count() const {
     return engine_.meshes().landmarks().CountOf(mesh_->digest);
