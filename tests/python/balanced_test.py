@@ -90,7 +90,7 @@ class BalancedTest(unittest.TestCase):
             output = self.folder / "distances.npy"
             subprocess.run(
                 [ARGUMENTS.command, "--server", self.address, "--quiet",
-                 "distance", self.path, "--source", "0", "-o", output],
+                 "field", self.path, "--source", "0", "-o", output],
                 check=True)
             np.testing.assert_array_equal(np.load(output), self.wanted)
             self.second.delete(self.digest)
