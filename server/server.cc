@@ -261,7 +261,6 @@ absl::Status Server::Listen(
   grpc::EnableDefaultHealthCheckService(true);
   grpc::reflection::InitProtoReflectionServerBuilderPlugin();
 
-
   grpc::ServerBuilder builder;
   BoundConnections(options_, builder);
   builder.SetMaxReceiveMessageSize(

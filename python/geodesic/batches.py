@@ -115,6 +115,7 @@ class BlockMatrix:
         return slice(first, min(first + self.rows_per_block, self.shape[0]))
 
     def path(self, block: int) -> pathlib.Path:
+        """The file of a block, whether or not it is there."""
         return self.folder / f"rows-{self.span(block).start:09d}.npy"
 
     def block(self, number: int) -> np.ndarray:

@@ -299,9 +299,9 @@ TEST_P(TinyBudgetTest, WhatCanNeverFitIsRefusedAtOnceWithTheFigures) {
 
 INSTANTIATE_TEST_SUITE_P(
     Budgets, TinyBudgetTest,
-    ::testing::Values(TinyBudget{&Limits::solver_memory_bytes,
-                                 "--limit solver-memory"},
-                      TinyBudget{&Limits::field_cache_bytes, "--limit field-cache"}));
+    ::testing::Values(
+        TinyBudget{&Limits::solver_memory_bytes, "--limit solver-memory"},
+        TinyBudget{&Limits::field_cache_bytes, "--limit field-cache"}));
 
 class SharedQueueTest : public AdmissionTest {
  protected:

@@ -244,7 +244,8 @@ TEST_F(MethodsTest, TheBudgetHoldsTheLatest) {
   RestartWithMesh();
   const absl::Status refused = Prepare(kHeat).status();
   EXPECT_TRUE(absl::IsResourceExhausted(refused)) << refused;
-  EXPECT_NE(refused.message().find("--limit prepared-memory"), std::string::npos);
+  EXPECT_NE(refused.message().find("--limit prepared-memory"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -260,7 +260,8 @@ TEST_F(UploadMemoryTest, WhatItsFileCanNeverBeParsedInIsRefusedAtItsHeader) {
     if (fits) continue;
     EXPECT_TRUE(absl::IsResourceExhausted(status)) << status;
     EXPECT_FALSE(RetryAfter(status).has_value());
-    EXPECT_THAT(std::string(status.message()), HasSubstr("--limit upload-memory"));
+    EXPECT_THAT(std::string(status.message()),
+                HasSubstr("--limit upload-memory"));
   }
 }
 

@@ -271,11 +271,11 @@ absl::Status LateError(std::chrono::milliseconds patience) {
 
 absl::Status BrokenOffError() {
   return WithReason(
-      WithRetryAfter(
-          absl::ResourceExhaustedError(
-              "messages that are still coming in fill the server's "
-              "limit receive-memory, and this one came slowly; try again later"),
-          kComeAgain),
+      WithRetryAfter(absl::ResourceExhaustedError(
+                         "messages that are still coming in fill the server's "
+                         "limit receive-memory, and this one came slowly; try "
+                         "again later"),
+                     kComeAgain),
       reason::kMemoryFull);
 }
 

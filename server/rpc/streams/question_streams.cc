@@ -163,7 +163,8 @@ absl::Status LogMapStream::Translate(FieldRequest& question) {
   if (!value_type.ok()) return value_type.status();
   value_type_ = *value_type;
   question.extras.log_map = true;
-  absl::StatusOr<SurfacePoint> source = codec::FromProto(request().source(), "source");
+  absl::StatusOr<SurfacePoint> source =
+      codec::FromProto(request().source(), "source");
   if (!source.ok()) return source.status();
   question.query.sources = {{*source}};
   return absl::OkStatus();

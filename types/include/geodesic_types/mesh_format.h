@@ -28,6 +28,7 @@ enum class MeshFormat {
   kVtp,   // VTK's XML format of PolyData; arrays as they are or within zlib.
 };
 
+// What is known of a format.
 struct MeshFormatInfo {
   MeshFormat format;
   std::string_view name;  // and the ending of its files
