@@ -144,7 +144,7 @@ def main():
         put_document(document, folder, pages)
     made = sorted(path.relative_to(folder) for path in folder.glob("reference/*/*.md"))
     index = contents("Documents", documents())
-    for kind in ("programs", "python", "core", "client", "proto"):
+    for kind in ("programs", "python", "core", "client", "types", "proto"):
         if any(path.parts[1] == kind for path in made):
             index += contents(kind, [path for path in made if path.parts[1] == kind])
     write(folder / "index.md", "# geodesic\n" + index)
