@@ -149,7 +149,7 @@ absl::Status FrameReader::CheckHeader() {
   if (length > max_message_bytes_) {
     return absl::ResourceExhaustedError(
         absl::StrCat("a message has ", length, " bytes; the server takes ",
-                     max_message_bytes_, " (--max-message-bytes)"));
+                     max_message_bytes_, " (limit max-message-bytes)"));
   }
   left_ = length;
   return absl::OkStatus();

@@ -320,7 +320,7 @@ class WebDoor::Exchange {
       return Refuse(
           connection_, MHD_HTTP_CONTENT_TOO_LARGE,
           absl::StrCat("a body has at most ", door_.options_.max_body_bytes,
-                       " bytes (geodesicd --max-upload-bytes)"));
+                       " bytes (limit max-upload-bytes)"));
     }
     const std::string address = Address(connection_);
     auto call = std::make_shared<WebCall>(door_.calls_, *connection_, address,

@@ -189,8 +189,8 @@ TEST_F(PairRpcTest, RefusesMoreThanTheLimit) {
   const auto reply = Ask(request);
   EXPECT_EQ(reply.status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
   EXPECT_EQ(reply.status.error_message(),
-            "the request has 3001 pairs; max_pairs is 3000 (geodesicd "
-            "--max-pairs)");
+            "the request has 3001 pairs; max_pairs is 3000 (limit "
+            "max-pairs)");
   EXPECT_EQ(test::Reason(reply.status), "LIMIT_EXCEEDED");
 }
 

@@ -30,7 +30,7 @@ absl::Status CheckCount(std::string_view things, uint64_t count,
   if (count <= limit) return absl::OkStatus();
   return absl::ResourceExhaustedError(
       absl::StrCat(View(who), " ", count, " ", View(things), "; ",
-                   View(limit_name), " is ", limit, " (geodesicd --",
+                   View(limit_name), " is ", limit, " (limit ",
                    absl::StrReplaceAll(View(limit_name), {{"_", "-"}}), ")"));
 }
 

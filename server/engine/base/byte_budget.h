@@ -25,7 +25,7 @@ namespace geodesic::server {
 class ByteBudget {
  public:
   // `name` appears in messages; it is the server's flag in words, e.g. "mesh
-  // store" for --mesh-store.
+  // store" for the limit mesh-store.
   ByteBudget(std::string name, uint64_t capacity);
 
   // Takes `bytes`, all or nothing.

@@ -149,7 +149,7 @@ absl::Status PairWork::Search(const std::vector<uint32_t>& numbers,
     ++answered.searched;
     ++totals.searched;
   }
-  if (search && status.ok() && TargetSearch::IsDirected(algorithm)) {
+  if (status.ok() && TargetSearch::IsDirected(algorithm)) {
     searches.landmarks().Want(mesh);
   }
   if (search) search->GiveBack();

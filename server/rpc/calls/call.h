@@ -58,7 +58,7 @@ inline constexpr char kNoMessage[] =
 inline absl::Status NotTakenError(std::chrono::milliseconds patience) {
   return absl::DeadlineExceededError(absl::StrCat(
       "the client took nothing of the answer for ", patience.count() / 1000,
-      " s (the server's --send-seconds)"));
+      " s (the server's limit send-seconds)"));
 }
 
 // A client whose deadline comes cancels its call, and the server may hear of

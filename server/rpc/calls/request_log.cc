@@ -128,7 +128,7 @@ absl::Status RequestLog::Entry::TakeShare() {
     return TooManyRequests(absl::StrCat(
         client, " has ", streams,
         " requests in hand, three quarters of what others leave of the "
-        "server's --max-requests; try again when some have ended"));
+        "server's limit max-requests; try again when some have ended"));
   }
   ++streams;
   counted_as_ = client;

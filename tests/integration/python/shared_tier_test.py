@@ -289,7 +289,7 @@ class SharedTierTest(unittest.TestCase):
         first.upload(*self.mesh)
         await_that(lambda: first.writes("written") == 1)
         most = len(self.mesh[1]) - 1
-        small = self.replica(redis.address, *PATIENT, "--max-faces", str(most))
+        small = self.replica(redis.address, *PATIENT, "--limit", f"max-faces={most}")
         with self.assertRaises(grpc.RpcError) as refused:
             small.field(self.digest, 0)
         self.assertEqual(refused.exception.code(),
