@@ -310,7 +310,7 @@ TEST(FieldAssemblerTest, PutsChunksTogether) {
 
 class BrokenStreamTest : public ::testing::Test {
  protected:
-  const FieldQuery query_;
+  const FieldQuery query_ = {};
   FieldAssembler assembler_{query_, nullptr, nullptr};
 };
 

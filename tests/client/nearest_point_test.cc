@@ -103,7 +103,7 @@ TEST(NearestPointTest, NoOtherPointIsNearer) {
     }
     const double distance = Distance(Where(*found, mesh), to);
     constexpr int kSteps = 20;
-    for (uint64_t face = 0; face < mesh.triangles.size(); ++face) {
+    for (uint32_t face = 0; face < mesh.triangles.size(); ++face) {
       for (int i = 0; i <= kSteps; ++i) {
         for (int j = 0; i + j <= kSteps; ++j) {
           const FacePoint sample{face,

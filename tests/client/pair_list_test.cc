@@ -19,7 +19,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-WrittenPair Vertices(uint64_t source, uint64_t target) {
+WrittenPair Vertices(uint32_t source, uint32_t target) {
   return {VertexPoint{source}, VertexPoint{target}};
 }
 

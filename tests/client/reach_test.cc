@@ -60,7 +60,7 @@ TEST(ReachTest, LeftOutFacesHoldNothing) {
       {{0, 3, 2}, {4, 4, 0}, {4, 5, 2}},
       {{3, 1}, {5, 4}}};
   Reach reach(mesh, std::vector<Source>{{VertexPoint{0}}});
-  for (const uint64_t vertex : {0, 1, 2, 3}) {
+  for (const uint32_t vertex : {0, 1, 2, 3}) {
     EXPECT_FALSE(reach.IsIsolated(vertex)) << vertex;
     EXPECT_EQ(reach.WhyUnreached(VertexPoint{vertex}, "of a limit"),
               "of a limit");

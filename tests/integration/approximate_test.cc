@@ -77,10 +77,10 @@ TEST_F(ApproximateTest, ParametersMakeOtherFields) {
 TEST_F(ApproximateTest, MatricesAndNearestMembersAreNear) {
   for (const std::string& algorithm : ApproximateAlgorithmNames()) {
     SCOPED_TRACE(algorithm);
-    const std::vector<uint64_t> sources = {0, 80}, targets = {8, kMiddle, 72};
+    const std::vector<uint32_t> sources = {0, 80}, targets = {8, kMiddle, 72};
     MatrixQuery query = {.mesh_digest = digest_, .algorithm = algorithm};
-    for (const uint64_t v : sources) query.sources.push_back({VertexPoint{v}});
-    for (const uint64_t v : targets) query.targets.push_back(VertexPoint{v});
+    for (const uint32_t v : sources) query.sources.push_back({VertexPoint{v}});
+    for (const uint32_t v : targets) query.targets.push_back(VertexPoint{v});
     uint64_t rows = 0;
     const absl::StatusOr<AnswerInfo> info = client_.ComputeMatrix(
         query, {.on_row = [&](const MatrixRow& row) {
@@ -110,8 +110,8 @@ TEST_F(ApproximateTest, MatricesAndNearestMembersAreNear) {
 
 TEST_F(ApproximateTest, PairsAreNearAndCounted) {
   PairQuery query = {.mesh_digest = digest_};
-  for (uint64_t v = 0; v < vertex_count_; ++v) {
-    query.pairs.push_back({VertexPoint{v}, VertexPoint{v * v % vertex_count_}});
+  for (uint32_t v = 0; v < vertex_count_; ++v) {
+    query.pairs.push_back({VertexPoint{v}, VertexPoint{v * v % kVertices}});
   }
   for (const std::string& algorithm : ApproximateAlgorithmNames()) {
     SCOPED_TRACE(algorithm);

@@ -150,7 +150,7 @@ TEST_F(LibraryTest, ThreadsShareAClient) {
   ASSERT_TRUE(client_.UploadArrays(mesh).ok());
   const std::string digest = MeshDigest(mesh);
   std::vector<std::thread> threads;
-  for (uint64_t source = 0; source < 8; ++source) {
+  for (uint32_t source = 0; source < 8; ++source) {
     threads.emplace_back([&, source] {
       for (int repeat = 0; repeat < 10; ++repeat) {
         absl::StatusOr<Field> field = client_.ComputeField(

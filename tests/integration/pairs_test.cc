@@ -29,8 +29,8 @@ class PairsTest : public PlanarGridTest {
   // Between all sorts of places.
   std::vector<PointPair> SomePairs(size_t count) const {
     std::vector<PointPair> pairs;
-    for (size_t i = 0; i < count; ++i) {
-      const VertexPoint vertex{i * 7 % vertex_count_};
+    for (uint32_t i = 0; i < count; ++i) {
+      const VertexPoint vertex{i * 7 % kVertices};
       pairs.push_back(i % 5 == 0 ? PointPair{places_[i % 3], vertex}
                                  : PointPair{vertex, VertexPoint{i * i % 80}});
     }
@@ -181,7 +181,7 @@ TEST_F(PairsTest, TheCommandWritesListsAsTheyCome) {
   constexpr size_t kPairs = 76;
   std::string list = "# two places a line\n";
   std::vector<PointPair> pairs;
-  for (uint64_t i = 0; i < kPairs; ++i) {
+  for (uint32_t i = 0; i < kPairs; ++i) {
     absl::StrAppend(&list, i, i % 2 == 0 ? "," : " ", "edge:0-10@0.25\n");
     pairs.push_back({VertexPoint{i}, places_[1]});
   }

@@ -18,7 +18,8 @@ inline constexpr double kTolerance = 1e-10;
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Squares along a side, and the middle of the grid.
 inline constexpr uint32_t kGrid = 8;
-inline constexpr uint64_t kMiddle = (kGrid / 2) * (kGrid + 2);
+inline constexpr uint32_t kVertices = (kGrid + 1) * (kGrid + 1);
+inline constexpr uint32_t kMiddle = (kGrid / 2) * (kGrid + 2);
 
 inline double Euclid(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);

@@ -44,7 +44,7 @@ TEST_F(FieldQuestionsTest, SourcesAndTargetsLieAnywhere) {
 TEST_F(FieldQuestionsTest, CurvesAreMeasuredFromEveryPoint) {
   // The left side of the square: the distance is x.
   Curve side;
-  for (uint64_t j = 0; j <= kGrid; ++j) {
+  for (uint32_t j = 0; j <= kGrid; ++j) {
     side.points.push_back(VertexPoint{j * (kGrid + 1)});
   }
   absl::StatusOr<Field> field =
@@ -180,7 +180,7 @@ using LineQuestionsTest = PlanarGridTest;
 
 TEST_F(LineQuestionsTest, PathsAreStraightInThePlane) {
   std::vector<SurfacePoint> targets = places_;
-  for (uint64_t v = 0; v < vertex_count_; v += 7) {
+  for (uint32_t v = 0; v < vertex_count_; v += 7) {
     targets.push_back(VertexPoint{v});
   }
   const std::vector<Source> sources = {{VertexPoint{0}, 0.25},
@@ -219,12 +219,11 @@ TEST_F(LineQuestionsTest, PathsAreStraightInThePlane) {
 }
 
 TEST_F(LineQuestionsTest, PathsThatDoNotExistAreEmpty) {
-  absl::StatusOr<PathAnswer> answer =
-      client_.ComputePaths({.mesh_digest = digest_,
-                            .sources = {{VertexPoint{0}}},
-                            .targets = {VertexPoint{vertex_count_ - 1},
-                                        VertexPoint{0}, VertexPoint{1}},
-                            .radius = 0.5});
+  absl::StatusOr<PathAnswer> answer = client_.ComputePaths(
+      {.mesh_digest = digest_,
+       .sources = {{VertexPoint{0}}},
+       .targets = {VertexPoint{kVertices - 1}, VertexPoint{0}, VertexPoint{1}},
+       .radius = 0.5});
   ASSERT_TRUE(answer.ok()) << answer.status();
   EXPECT_FALSE(answer->paths[0].source.has_value());
   EXPECT_EQ(answer->paths[0].distance, kInfinity);

@@ -43,7 +43,7 @@ class ToleranceTest : public IntegrationTest {
     ASSERT_TRUE(client_.UploadArrays(mesh).ok());
   }
 
-  FieldQuery From(uint64_t vertex, double tolerance = 0) const {
+  FieldQuery From(uint32_t vertex, double tolerance = 0) const {
     return {.mesh_digest = digest_,
             .sources = {{VertexPoint{vertex}}},
             .tolerance = tolerance};
@@ -156,7 +156,7 @@ TEST_F(ToleranceTest, MatricesAndNearestMembersHoldWithinIt) {
                           .sources = {{VertexPoint{0}}},
                           .count = 5,
                           .tolerance = kWithin};
-  for (uint64_t v = 0; v < 400; ++v) {
+  for (uint32_t v = 0; v < 400; ++v) {
     nearest.targets.push_back(VertexPoint{2 * v + 1});
   }
   const absl::StatusOr<NearestAnswer> found = client_.FindNearest(nearest);
@@ -173,10 +173,11 @@ TEST_F(ToleranceTest, MatricesAndNearestMembersHoldWithinIt) {
 TEST_F(ToleranceTest, PairsAndSmallMatricesAreAnsweredByPathsWithinIt) {
   constexpr double kWithin = 1e-2;
   PairQuery query = {.mesh_digest = digest_, .tolerance = kWithin};
-  for (uint64_t i = 0; i < 300; ++i) {
+  const auto vertex_count = static_cast<uint32_t>(mesh_.positions.size());
+  for (uint32_t i = 0; i < 300; ++i) {
     // Some share an end, and are answered by a field.
     query.pairs.push_back({VertexPoint{i % 2 == 0 ? 3 : i},
-                           VertexPoint{(i * i + 7) % mesh_.positions.size()}});
+                           VertexPoint{(i * i + 7) % vertex_count}});
   }
   query.pairs.push_back({FacePoint{9, {0.25, 0.25, 0.5}}, VertexPoint{700}});
   const absl::StatusOr<PairAnswer> found = client_.ComputePairs(query);
@@ -253,7 +254,8 @@ TEST_F(ToleranceTest, IsolinesAndSamplesHoldWithinIt) {
                 kWithin * truth[sample.vertex]);
     EXPECT_GE(truth[sample.vertex],
               *std::ranges::max_element(truth) * (1 - 2 * kWithin));
-    exact.sources.push_back({VertexPoint{sample.vertex}});
+    exact.sources.push_back(
+        {VertexPoint{static_cast<uint32_t>(sample.vertex)}});
   }
 }
 

@@ -190,7 +190,7 @@ bool MixedLoad::Ask(Client& client, const LedgerMesh& mesh, bool is_own,
     if (read.ok()) ++counts_.reads;
   } else {
     // A few sources, so that some fields are found and others computed.
-    const uint64_t source = random / 4 % 8;
+    const auto source = static_cast<uint32_t>(random / 4 % 8);
     const absl::StatusOr<Field> field = client.ComputeField(
         {.mesh_digest = mesh.digest, .sources = {{VertexPoint{source}}}},
         kPatience);

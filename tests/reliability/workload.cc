@@ -177,7 +177,7 @@ Workload::Workload(uint32_t vertices, uint64_t seed)
 void Workload::Prepare(const std::string& address) const {
   Client client(address);
   absl::Status status = client.UploadArrays(grid_).status();
-  for (uint64_t vertex = 0; status.ok() && vertex < kCachedFields; ++vertex) {
+  for (uint32_t vertex = 0; status.ok() && vertex < kCachedFields; ++vertex) {
     status = client
                  .ComputeField({.mesh_digest = digest_,
                                 .sources = {{VertexPoint{vertex}}}})
