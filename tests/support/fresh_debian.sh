@@ -45,6 +45,8 @@ enter_debian() {
     mount --bind "/$folder" "$1/$folder"
   done
   cp /etc/resolv.conf "$1/etc/resolv.conf"
+  # Installers and container engines write one.
+  printf '127.0.0.1 localhost\n::1 localhost\n' >"$1/etc/hosts"
   printf '#!/bin/sh\nexit 101\n' >"$1/usr/sbin/policy-rc.d"
   chmod 755 "$1/usr/sbin/policy-rc.d"
   echo 'APT::Get::Assume-Yes "true";' >"$1/etc/apt/apt.conf.d/00assume-yes"
