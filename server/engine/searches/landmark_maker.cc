@@ -208,26 +208,27 @@ bool LandmarkMaker::HaveLooked(const MeshHandle& mesh) {
     const auto [look, is_new] = looked_.try_emplace(mesh->digest, false);
     if (!is_new) return look->second;
   }
-  scheduler_.Store([this, digest = mesh->digest,
-                    wanted = std::weak_ptr(mesh)] {
-    const bool found =
-        Guarded("read landmarks", [&]() -> absl::StatusOr<bool> {
-          const MeshHandle mesh = wanted.lock();
-          if (mesh == nullptr) return true;
-          absl::StatusOr<Work> work = Begin(*mesh, /*may_read=*/true);
-          if (!work.ok()) return work.status();
-          if (!work->is_stored) return false;
-          Publish(*mesh, *std::move(work));
-          return true;
-        }).value_or(false);
+  scheduler_.Store([this, digest = mesh->digest, mesh = std::weak_ptr(mesh)] {
+    const bool is_there = Guarded("read landmarks", [&] {
+                            return Load(mesh.lock());
+                          }).value_or(false);
     std::lock_guard lock(mutex_);
-    if (found) {
+    if (is_there) {
       looked_.erase(digest);
     } else {
       looked_[digest] = true;
     }
   });
   return false;
+}
+
+absl::StatusOr<bool> LandmarkMaker::Load(const MeshHandle& mesh) {
+  if (mesh == nullptr) return true;
+  absl::StatusOr<Work> work = Begin(*mesh, /*may_read=*/true);
+  if (!work.ok()) return work.status();
+  if (!work->is_stored) return false;
+  Publish(*mesh, *std::move(work));
+  return true;
 }
 
 uint64_t LandmarkMaker::PlannedBytes(const Mesh& mesh) {

@@ -61,8 +61,8 @@ class LandmarkMaker {
 
   // Makes what is missing of `count` landmarks, or none if there is no room for
   // them, on the calling thread: for a question that is long enough to pay for
-  // them. Takes PlannedBytes. False: first the disk is looked at, on a thread of
-  // its own; call again later. Errors: the checkpoint's.
+  // them. Takes PlannedBytes. False: first the disk is looked at, on a thread
+  // of its own; call again later. Errors: the checkpoint's.
   absl::StatusOr<bool> MakeNow(const MeshHandle& mesh, uint32_t count,
                                Checkpoint& checkpoint);
 
@@ -104,6 +104,9 @@ class LandmarkMaker {
   // Whether the disk was looked at for landmarks of the mesh and had none; has
   // it done if it was not.
   bool HaveLooked(const MeshHandle& mesh);
+  // Publishes landmarks that the disk has; false if it has none. Errors: as
+  // Begin.
+  absl::StatusOr<bool> Load(const MeshHandle& mesh);
   // Computes the next landmark. When their number has doubled, questions get a
   // copy; when they are complete, the disk. Errors: the checkpoint's.
   absl::Status AddNext(const ResidentMesh& mesh, Checkpoint& checkpoint,
