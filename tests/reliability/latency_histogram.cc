@@ -19,6 +19,14 @@ void LatencyHistogram::Add(std::chrono::nanoseconds latency) {
   max_ = std::max(max_, latency);
 }
 
+void LatencyHistogram::Add(const LatencyHistogram& other) {
+  for (size_t bucket = 0; bucket < counts_.size(); ++bucket) {
+    counts_[bucket] += other.counts_[bucket];
+  }
+  count_ += other.count_;
+  max_ = std::max(max_, other.max_);
+}
+
 double LatencyHistogram::Milliseconds(double part) const {
   const auto wanted =
       static_cast<uint64_t>(std::ceil(part * static_cast<double>(count_)));

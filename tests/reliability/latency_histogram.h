@@ -16,6 +16,8 @@ namespace geodesic::client {
 class LatencyHistogram {
  public:
   void Add(std::chrono::nanoseconds latency);
+  // All that the other has seen.
+  void Add(const LatencyHistogram& other);
 
   uint64_t count() const { return count_; }
 

@@ -70,6 +70,18 @@ class Recorder {
 
 }  // namespace
 
+void LoadFigures::Add(const LoadFigures& other) {
+  for (size_t i = 0; i < kQuestionKinds; ++i)
+    answered[i].Add(other.answered[i]);
+  refused.Add(other.refused);
+  sent += other.sent;
+  seconds += other.seconds;
+  latest = std::max(latest, other.latest);
+  faults += other.faults;
+  fault_examples.insert(fault_examples.end(), other.fault_examples.begin(),
+                        other.fault_examples.end());
+}
+
 uint64_t LoadFigures::answers() const {
   uint64_t count = 0;
   for (const LatencyHistogram& histogram : answered) {

@@ -34,6 +34,9 @@ struct LoadFigures {
   uint64_t faults = 0;
   std::vector<std::string> fault_examples;
 
+  // Those of another phase, too.
+  void Add(const LoadFigures& other);
+
   uint64_t answers() const;
   // In words; empty if there are none.
   std::vector<std::string> Faults() const;

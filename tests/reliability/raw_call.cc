@@ -13,6 +13,11 @@ namespace {
 
 constexpr std::chrono::seconds kPatience{60};
 
+void ShowToken(const RawRequest& request, grpc::ClientContext& context) {
+  if (request.token.empty()) return;
+  context.AddMetadata("authorization", "Bearer " + request.token);
+}
+
 }  // namespace
 
 grpc::ByteBuffer BufferOf(const std::string& bytes) {
@@ -56,6 +61,7 @@ class RawConnection::Exchange final
         request_(std::move(request)),
         done_(std::move(done)) {
     context_.set_deadline(std::chrono::system_clock::now() + kPatience);
+    ShowToken(request_, context_);
   }
 
   void Start() {
@@ -133,6 +139,7 @@ PacedCall::PacedCall(const std::string& address, RawRequest request,
       stub_(channel_),
       may_write_(std::min(writes, request_.messages.size())),
       may_read_(reads) {
+  ShowToken(request_, context_);
   stub_.PrepareBidiStreamingCall(&context_, request_.method, {}, this);
   // Reads and writes are started from outside of reactions.
   AddHold();

@@ -27,6 +27,7 @@ namespace geodesic::client {
 struct RawRequest {
   std::string method;  // "/package.Service/Method"
   std::vector<std::string> messages;
+  std::string token = {};  // if the server asks for one
 };
 
 struct RawAnswer {

@@ -40,11 +40,13 @@ constexpr std::array kBackToZero = {
 // Between samples.
 constexpr std::chrono::milliseconds kInterval{500};
 
-// All budgets together.
-double BudgetMib() {
-  double sum = 0;
-  for (const Budget& budget : kBudgets) sum += budget.mib;
-  return sum;
+// On a page of metrics. Errors: throws std::runtime_error if it is not there.
+double ValueOn(const std::string& page, const std::string& name) {
+  const size_t line = page.find(absl::StrCat("\n", name, " "));
+  if (line == std::string::npos) {
+    throw std::runtime_error("there is no metric " + name);
+  }
+  return std::stod(page.substr(line + name.size() + 2));
 }
 
 // Of the straight line that fits best, in the least squares.
@@ -147,12 +149,14 @@ nlohmann::ordered_json FigureSeries::Summary() const {
 }
 
 WatchedServer::WatchedServer(const Options& options)
-    : ignores_memory_(options.ignores_memory) {
-  std::vector<std::string> all = {"--metrics-listen", "127.0.0.1:0", "--limit",
-                                  "max-upload-bytes=16MiB"};
+    : ignores_memory_(options.ignores_memory), times_(options.times) {
+  std::vector<std::string> all = {
+      "--metrics-listen", "127.0.0.1:0", "--limit",
+      absl::StrCat("max-upload-bytes=", 16 * times_, "MiB")};
   for (const Budget& budget : kBudgets) {
     all.insert(all.end(),
-               {"--limit", absl::StrCat(budget.limit, "=", budget.mib, "MiB")});
+               {"--limit",
+                absl::StrCat(budget.limit, "=", times_ * budget.mib, "MiB")});
   }
   if (options.is_durable) {
     const std::string disk = absl::StrCat(options.disk_mib, "MiB");
@@ -170,13 +174,26 @@ WatchedServer::WatchedServer(const Options& options)
   series_ = std::make_unique<FigureSeries>(server_->id());
 }
 
+double WatchedServer::BudgetMib() const {
+  double sum = 0;
+  for (const Budget& budget : kBudgets) sum += times_ * budget.mib;
+  return sum;
+}
+
 double WatchedServer::Metric(const std::string& name) const {
+  return ValueOn(test::HttpGet(metrics_port_, "/metrics"), name);
+}
+
+std::map<std::string, double> WatchedServer::Held() const {
   const std::string page = test::HttpGet(metrics_port_, "/metrics");
-  const size_t line = page.find(absl::StrCat("\n", name, " "));
-  if (line == std::string::npos) {
-    throw std::runtime_error("there is no metric " + name);
-  }
-  return std::stod(page.substr(line + name.size() + 2));
+  std::map<std::string, double> held;
+  for (const char* name : kBackToZero) held[name] = ValueOn(page, name);
+  return held;
+}
+
+int WatchedServer::Stop() const {
+  server_->Terminate();
+  return server_->Wait();
 }
 
 std::vector<std::string> WatchedServer::Leftovers() const {
@@ -189,8 +206,7 @@ std::vector<std::string> WatchedServer::Leftovers() const {
   auto until = std::chrono::steady_clock::now() + kLongestStandstill;
   for (;;) {
     std::vector<std::string> left;
-    for (const char* name : kBackToZero) {
-      const double value = Metric(name);
+    for (const auto& [name, value] : Held()) {
       if (value != 0) left.push_back(absl::StrCat(name, " is ", value));
     }
     if (left.empty() || std::chrono::steady_clock::now() > until) return left;

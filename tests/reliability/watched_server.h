@@ -10,6 +10,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -66,6 +67,8 @@ class WatchedServer {
     std::string program;
     // Beside the budgets.
     std::vector<std::string> flags;
+    // How many times the usual budgets it has.
+    int times = 1;
     // Whether it has a data folder; for so much of meshes, and of fields.
     bool is_durable = false;
     int disk_mib = 256;
@@ -83,6 +86,14 @@ class WatchedServer {
   // Errors: throws std::runtime_error if it is not there.
   double Metric(const std::string& name) const;
 
+  // The numbers, by their names, of what requests hold: all are 0 once there
+  // are none.
+  std::map<std::string, double> Held() const;
+
+  // Asks it to stop; its exit code, once it has. Nothing else may be asked of
+  // it then but Summary.
+  int Stop() const;
+
   // Once nobody asks any more: what requests held that is not back to zero
   // (requests, jobs, waiters, memory of uploads and solvers) ten seconds after
   // the last landmark was made, and whether the process ever took more memory
@@ -93,8 +104,10 @@ class WatchedServer {
 
  private:
   std::vector<std::string> Leftovers() const;
+  double BudgetMib() const;  // all together
 
   const bool ignores_memory_;
+  const int times_;
   TemporaryFolder folder_;
   std::unique_ptr<RunningServer> server_;
   int metrics_port_ = 0;

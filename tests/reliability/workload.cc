@@ -163,11 +163,12 @@ absl::StatusOr<Mix> ParseMix(const std::string& text) {
   return mix;
 }
 
-Workload::Workload(uint32_t vertices, uint64_t seed)
+Workload::Workload(uint32_t vertices, uint64_t seed, std::string token)
     : cells_(static_cast<uint32_t>(std::lround(std::sqrt(vertices))) - 1),
       grid_(PlanarGrid(cells_)),
       digest_(MeshDigest(grid_)),
       seed_(seed),
+      token_(std::move(token)),
       random_(seed) {
   for (size_t i = 0; i < kCachedFields; ++i) {
     cached_.push_back(DistancesFrom(At(i)));
@@ -175,7 +176,7 @@ Workload::Workload(uint32_t vertices, uint64_t seed)
 }
 
 void Workload::Prepare(const std::string& address) const {
-  Client client(address);
+  Client client(address, {.token = token_});
   absl::Status status = client.UploadArrays(grid_).status();
   for (uint32_t vertex = 0; status.ok() && vertex < kCachedFields; ++vertex) {
     status = client
@@ -187,6 +188,12 @@ void Workload::Prepare(const std::string& address) const {
 }
 
 Question Workload::Next(QuestionKind kind) {
+  Question question = Make(kind);
+  question.request.token = token_;
+  return question;
+}
+
+Question Workload::Make(QuestionKind kind) {
   switch (kind) {
     case QuestionKind::kUpload:
       return Upload(kUploadCells, kUploadChunkBytes);

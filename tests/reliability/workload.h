@@ -48,7 +48,8 @@ struct Question {
 // all but the first on a grid of some `vertices` vertices. Not thread-safe.
 class Workload {
  public:
-  Workload(uint32_t vertices, uint64_t seed);
+  // What Next makes shows the token, if there is one.
+  Workload(uint32_t vertices, uint64_t seed, std::string token = {});
 
   // Uploads the grid and has the fields computed that are to be cached.
   // Errors: throws std::runtime_error.
@@ -62,6 +63,7 @@ class Workload {
  private:
   using Place = std::array<double, 2>;
 
+  Question Make(QuestionKind kind);
   // Of a grid of so many cells a side, in chunks of so many bytes.
   Question Upload(uint32_t cells, size_t chunk_bytes);
   Question ColdField();
@@ -76,6 +78,7 @@ class Workload {
   const MeshArrays grid_;
   const std::string digest_;
   const uint64_t seed_;
+  const std::string token_;
   std::mt19937_64 random_;
   uint64_t uploads_ = 0;
   // Of the fields that are cached; by vertex, the source's.
