@@ -20,6 +20,7 @@ from .digest import Reading
 from .errors import InvalidArgument
 from .places import Places, Sources
 from .progress import ProgressCallback
+from .results import Field
 
 
 @dataclasses.dataclass
@@ -88,22 +89,6 @@ class Options:
 
 
 @dataclasses.dataclass
-class FieldAnswer:
-    """A distance field; see geodesic.Field."""
-
-    distances: np.ndarray
-    target_distances: np.ndarray
-    settled_radius: float
-    algorithm: str
-    statistics: Dict[str, Any]
-    labels: Optional[np.ndarray] = None
-    gradients: Optional[np.ndarray] = None
-    certified_error: Optional[float] = None
-    certified_errors: Optional[np.ndarray] = None
-    approximation: Optional[Approximate] = None
-
-
-@dataclasses.dataclass
 class PathAnswer:
     places: Places
     points: np.ndarray
@@ -157,7 +142,9 @@ class Backend(Protocol):
 
     def field(self, sources: Sources, targets: Places, radius: float,
               stop_after_targets: Optional[int], labels: bool, gradients: bool,
-              certified_errors: bool, options: Options) -> FieldAnswer: ...
+              certified_errors: bool, options: Options) -> Field:
+        """Its target_distances are empty without targets."""
+        ...
 
     def progressive(self, sources: Sources, radius: float, interval: float,
                     options: Options,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 import math
 import os
@@ -286,7 +287,10 @@ class Mesh:
             field = self._backend.field(
                 sources, points, _radius(radius),
                 len(points) if stops else None, False, False, False, options)
-        return field.distances if targets is None else field.target_distances
+        if targets is None:
+            return field.distances
+        assert field.target_distances is not None
+        return field.target_distances
 
     def field(self, source: OneOrManySources, *, labels: bool = False,
               gradients: bool = False, certified_errors: bool = False,
@@ -328,21 +332,11 @@ class Mesh:
                 options.exact_alone(what)
         _vertices_alone(points, "targets", options)
         with reporting(progress, "vertices") as options.progress:
-            answer = self._backend.field(
+            field = self._backend.field(
                 sources, points, _radius(radius), stop_after_targets, labels,
                 gradients, certified_errors, options)
-        return Field(
-            distances=answer.distances,
-            target_distances=(None if targets is None else
-                              answer.target_distances),
-            labels=answer.labels,
-            gradients=answer.gradients,
-            settled_radius=answer.settled_radius,
-            algorithm=answer.algorithm,
-            statistics=answer.statistics,
-            certified_error=answer.certified_error,
-            certified_errors=answer.certified_errors,
-            approximation=answer.approximation)
+        return (dataclasses.replace(field, target_distances=None)
+                if targets is None else field)
 
     def labels(self, sources: OneOrManySources, **options: Any,
                ) -> NDArray[np.int32]:
