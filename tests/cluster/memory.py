@@ -5,8 +5,9 @@ import threading
 _BUDGETS_MIB = {"mesh-store": 16, "field-cache": 8, "upload-memory": 32,
                 "solver-memory": 32, "landmark-memory": 4, "prepared-memory": 4,
                 "receive-memory": 8, "request-memory": 8}
-FLAGS = [flag for name, size in [*_BUDGETS_MIB.items(), ("max-upload-bytes", 4)]
-         for flag in ("--" + name, "%dMiB" % size)]
+FLAGS = ["--limit", ",".join(
+    "%s=%dMiB" % budget
+    for budget in [*_BUDGETS_MIB.items(), ("max-upload-bytes", 4)])]
 
 # A process stays within the sum of its budgets and about a tenth more, beside what
 # an empty one takes (docs/operations.md, "Sizing").
