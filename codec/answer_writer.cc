@@ -110,8 +110,14 @@ bool AnswerWriter::Put(uint32_t array, uint64_t first,
 }
 
 absl::Status AnswerWriter::CheckReceived() const {
+  if (received_.size() > arrays_.size()) {
+    return InvalidField("resumption.received",
+                        absl::StrCat("resumption.received has ",
+                                     received_.size(), " numbers; the answer ",
+                                     "has ", arrays_.size(), " arrays"));
+  }
   for (size_t i = 0; i < received_.size(); ++i) {
-    const uint64_t end = i < arrays_.size() ? arrays_[i].end : 0;
+    const uint64_t end = arrays_[i].end;
     if (received_[i] <= end) continue;
     return InvalidField(
         "resumption.received",

@@ -1,6 +1,7 @@
 #include "server/rpc/messages/translation.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <limits>
 #include <variant>
 #include <vector>
@@ -15,11 +16,6 @@
 
 namespace geodesic::server {
 namespace {
-
-// A point takes about 50 bytes on the wire.
-constexpr uint64_t kPointsPerMessage = 8192;
-
-static_assert(sizeof(Point) == 3 * sizeof(double));
 
 // `things` is what the limit counts, `limit_name` its name, both for messages.
 absl::Status AddAll(
@@ -191,21 +187,6 @@ void SetPoint(const Point& from, v1::Point& to) {
   to.set_z(from[2]);
 }
 
-uint64_t SetPiece(std::span<const SurfacePoint> points,
-                  std::span<const Point> positions, uint64_t first,
-                  v1::PolylinePiece& piece) {
-  const uint64_t count =
-      std::min<uint64_t>(kPointsPerMessage, points.size() - first);
-  piece.set_point_count(points.size());
-  piece.set_first_point(first);
-  piece.clear_points();
-  for (const SurfacePoint& point : points.subspan(first, count)) {
-    *piece.add_points() = codec::ToProto(point);
-  }
-  SetBytes(positions.subspan(first, count), *piece.mutable_positions());
-  return first + count;
-}
-
 absl::Status Unknown(const std::string& field, int number) {
   return InvalidField(field, absl::StrCat(field, " is ", number,
                                           ", which this server does not know"));
@@ -244,22 +225,23 @@ v1::Approximation ToProto(const MethodChoice& choice) {
   return proto;
 }
 
-double RelativeTolerance(const AlgorithmChoice& choice, double tolerance) {
+double RelativeTolerance(const AlgorithmChoice& choice,
+                         double certified_error) {
   return std::holds_alternative<MethodChoice>(choice)
              ? std::numeric_limits<double>::infinity()
-             : std::max(tolerance, kRelativeTolerance);
+             : std::max(certified_error, kRelativeTolerance);
 }
 
-v1::FieldOrigin ToProto(FieldOrigin origin) {
+v1::AnswerOrigin ToProto(FieldOrigin origin) {
   switch (origin) {
     case FieldOrigin::kComputed:
-      return v1::FIELD_ORIGIN_COMPUTED;
+      return v1::ANSWER_ORIGIN_COMPUTED;
     case FieldOrigin::kJoined:
-      return v1::FIELD_ORIGIN_JOINED;
+      return v1::ANSWER_ORIGIN_JOINED;
     case FieldOrigin::kCached:
-      return v1::FIELD_ORIGIN_CACHED;
+      return v1::ANSWER_ORIGIN_CACHED;
   }
-  return v1::FIELD_ORIGIN_UNSPECIFIED;
+  return v1::ANSWER_ORIGIN_UNSPECIFIED;
 }
 
 v1::SolveProgress ToProto(const Progress& progress) {
@@ -286,7 +268,7 @@ v1::SolveStatistics ToProto(const SolveStatistics& statistics) {
 
 v1::AnswerHeader MakeHeader(const ResidentMesh& mesh,
                             const AlgorithmChoice& algorithm,
-                            const std::string& version, double tolerance) {
+                            const std::string& version) {
   v1::AnswerHeader header;
   header.set_mesh_digest(mesh.digest);
   header.set_vertex_count(mesh.mesh->vertex_count());
@@ -294,22 +276,11 @@ v1::AnswerHeader MakeHeader(const ResidentMesh& mesh,
     header.add_mesh_notes(std::move(note));
   }
   header.set_algorithm(ToProto(algorithm));
-  header.set_relative_tolerance(RelativeTolerance(algorithm, tolerance));
   header.set_server_version(version);
   if (const auto* method = std::get_if<MethodChoice>(&algorithm)) {
     *header.mutable_approximation() = ToProto(*method);
   }
   return header;
-}
-
-v1::AnswerTrailer MakeTrailer(double seconds, uint64_t windows_propagated,
-                              uint64_t items, double certified_error) {
-  v1::AnswerTrailer trailer;
-  trailer.set_compute_seconds(seconds);
-  trailer.set_windows_propagated(windows_propagated);
-  trailer.set_item_count(items);
-  if (certified_error > 0) trailer.set_certified_error(certified_error);
-  return trailer;
 }
 
 absl::StatusOr<AlgorithmChoice> FromProto(
@@ -344,23 +315,51 @@ absl::StatusOr<AlgorithmChoice> FromProto(
                                    "GetCapabilities lists those it does"));
 }
 
-absl::Status CheckTolerance(double tolerance, const AlgorithmChoice& choice) {
-  if (tolerance == 0) return absl::OkStatus();
-  const auto refuse = [](absl::string_view algorithm, const char* what) {
-    return InvalidField(
-        "tolerance",
-        absl::StrCat("tolerance: ", algorithm, what,
-                     "; name no algorithm beside it, or fwp-list"));
+absl::Status CheckAlgorithm(std::string_view method,
+                            const AlgorithmChoice& choice, double tolerance) {
+  const auto refuse = [](const std::string& field, const std::string& what) {
+    return InvalidField(field, absl::StrCat(field, ": ", what));
   };
-  if (const auto* method = std::get_if<MethodChoice>(&choice)) {
-    return refuse(std::string(ApproximateMethodName(method->method)),
-                  " is approximate and certifies nothing");
+  const auto is_among = [&](std::initializer_list<std::string_view> methods) {
+    return std::ranges::count(methods, method) > 0;
+  };
+  const auto* approximate = std::get_if<MethodChoice>(&choice);
+  const std::string name(approximate != nullptr
+                             ? ApproximateMethodName(approximate->method)
+                             : AlgorithmName(std::get<Algorithm>(choice)));
+  if (tolerance != 0) {
+    const std::string other = "; name no algorithm beside it, or fwp-list";
+    if (is_among({"ComputePaths", "ComputeLogMap"})) {
+      return refuse("tolerance",
+                    std::string(method) + " answers exactly; leave it out");
+    }
+    if (approximate != nullptr) {
+      return refuse("tolerance",
+                    name + " is approximate and certifies nothing" + other);
+    }
+    if (std::get<Algorithm>(choice) != Algorithm::kFwpList) {
+      return refuse("tolerance", name +
+                                     " merges no windows and takes no "
+                                     "tolerance" +
+                                     other);
+    }
   }
-  const auto algorithm = std::get<Algorithm>(choice);
-  return algorithm == Algorithm::kFwpList
-             ? absl::OkStatus()
-             : refuse(std::string(AlgorithmName(algorithm)),
-                      " merges no windows and takes no tolerance");
+  if (approximate == nullptr && method == "ComputePairs" &&
+      std::get<Algorithm>(choice) != kDefaultAlgorithm) {
+    return refuse("algorithm",
+                  "exact distances of pairs are searched for by the default "
+                  "algorithm; leave it out or name an approximate one");
+  }
+  if (approximate != nullptr && !is_among({"ComputeField", "ComputeMatrix",
+                                           "FindNearest", "ComputePairs"})) {
+    return refuse(
+        "algorithm",
+        absl::StrCat(name, " is approximate, and ", std::string(method),
+                     " answers exactly: name an exact algorithm or "
+                     "none; ComputeField, ComputeMatrix, FindNearest "
+                     "and ComputePairs take approximate ones"));
+  }
+  return absl::OkStatus();
 }
 
 absl::StatusOr<v1::ValueType> ResolveValueType(v1::ValueType type) {
@@ -394,7 +393,6 @@ absl::Status Translate(const v1::ComputeFieldRequest& request,
   status = AddTargets(request.targets(), request.vertex_targets(), limits,
                       result.query);
   if (!status.ok()) return status;
-  if (request.has_radius()) result.reach.radius = request.radius();
   if (request.has_stop_after_targets()) {
     // To the engine the largest number means no limit.
     result.reach.targets = std::min(request.stop_after_targets(),

@@ -6,10 +6,7 @@
 #include <google/protobuf/repeated_field.h>
 #include <google/protobuf/repeated_ptr_field.h>
 
-#include <bit>
-#include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,11 +18,11 @@
 #include "geodesic/distance_field.h"
 #include "geodesic/query.h"
 #include "geodesic/surface_point.h"
-#include "geodesic/v1/field_service.pb.h"
+#include "geodesic/v1/answer.pb.h"
 #include "geodesic/v1/mesh.pb.h"
 #include "geodesic/v1/mesh_service.pb.h"
-#include "geodesic/v1/pair_service.pb.h"
 #include "geodesic/v1/query.pb.h"
+#include "geodesic/v1/question_service.pb.h"
 #include "geodesic/v1/surface.pb.h"
 #include "server/engine/base/limits.h"
 #include "server/engine/fields/field_engine.h"
@@ -36,40 +33,7 @@
 
 namespace geodesic::server {
 
-// Numbers in `bytes` fields, little endian.
-
-// Numbers are sent as they lie in memory.
-static_assert(std::endian::native == std::endian::little);
-
-// Replaces the content of `bytes` and reuses its memory.
-template <typename T>
-void SetBytes(std::span<const T> items, std::string& bytes) {
-  bytes.assign(reinterpret_cast<const char*>(items.data()),
-               items.size() * sizeof(T));
-}
-
-template <typename T>
-void AppendBytes(T item, std::string& bytes) {
-  bytes.append(reinterpret_cast<const char*>(&item), sizeof(T));
-}
-
-inline void SetValues(std::span<const double> values, v1::ValueType type,
-                      std::string& bytes) {
-  if (type != v1::VALUE_TYPE_FLOAT32) {
-    SetBytes(values, bytes);
-    return;
-  }
-  bytes.resize(values.size() * sizeof(float));
-  char* at = bytes.data();
-  for (const double value : values) {
-    const float rounded = static_cast<float>(value);
-    std::char_traits<char>::copy(at, reinterpret_cast<const char*>(&rounded),
-                                 sizeof(float));
-    at += sizeof(float);
-  }
-}
-
-// Points, sources and polylines.
+// Points and sources.
 
 // Numbers of vertices, instead of places.
 using PackedVertices = google::protobuf::RepeatedField<uint32_t>;
@@ -100,14 +64,7 @@ absl::Status AddPairs(const v1::ComputePairsRequest& request,
 
 void SetPoint(const Point& from, v1::Point& to);
 
-// Replaces `piece` by as many points from `first` on as a message takes;
-// returns where the next piece begins. A polyline without points has one empty
-// piece.
-uint64_t SetPiece(std::span<const SurfacePoint> points,
-                  std::span<const Point> positions, uint64_t first,
-                  v1::PolylinePiece& piece);
-
-// Questions about fields, and their answers.
+// Questions and their answers.
 
 // What geodesic::Solve guarantees (solve.h).
 inline constexpr double kRelativeTolerance = 1e-10;
@@ -117,18 +74,16 @@ v1::Algorithm ToProto(ApproximateMethod method);
 v1::Algorithm ToProto(const AlgorithmChoice& choice);
 // The parameters of the method.
 v1::Approximation ToProto(const MethodChoice& choice);
-// 1e-10 for exact distances, `tolerance` for those within one that is named,
+// 1e-10 for exact distances, the certified error for those that have one,
 // infinity for others.
-double RelativeTolerance(const AlgorithmChoice& choice, double tolerance);
-v1::FieldOrigin ToProto(FieldOrigin origin);
+double RelativeTolerance(const AlgorithmChoice& choice, double certified_error);
+v1::AnswerOrigin ToProto(FieldOrigin origin);
 v1::SolveProgress ToProto(const Progress& progress);
 v1::SolveStatistics ToProto(const SolveStatistics& statistics);
+// Without what depends on the question: origin and arrays.
 v1::AnswerHeader MakeHeader(const ResidentMesh& mesh,
                             const AlgorithmChoice& algorithm,
-                            const std::string& version, double tolerance);
-// `certified_error` 0: the answer is exact.
-v1::AnswerTrailer MakeTrailer(double seconds, uint64_t windows_propagated,
-                              uint64_t items, double certified_error);
+                            const std::string& version);
 
 // INVALID_ARGUMENT: this field of a request has a number that its enumeration
 // does not have.
@@ -137,8 +92,10 @@ absl::Status Unknown(const std::string& field, int number);
 // Errors of these: INVALID_ARGUMENT naming the part of the request at fault.
 absl::StatusOr<AlgorithmChoice> FromProto(
     v1::Algorithm algorithm, const v1::Approximation& approximation);
-// Whether the algorithm takes a tolerance, which the engine checks.
-absl::Status CheckTolerance(double tolerance, const AlgorithmChoice& choice);
+// Whether the method, e.g. "ComputeField", takes the algorithm, and both the
+// tolerance, whose range the engine checks.
+absl::Status CheckAlgorithm(std::string_view method,
+                            const AlgorithmChoice& choice, double tolerance);
 // Never unspecified.
 absl::StatusOr<v1::ValueType> ResolveValueType(v1::ValueType type);
 absl::StatusOr<bool> IsBatch(v1::Priority priority);

@@ -1,5 +1,4 @@
-// ComputeMatrix and FindNearest: header, progress, chunks in order of row,
-// trailer.
+// ComputeMatrix and FindNearest.
 
 #ifndef GEODESIC_SERVER_RPC_STREAMS_ROW_STREAM_H_
 #define GEODESIC_SERVER_RPC_STREAMS_ROW_STREAM_H_
@@ -7,156 +6,126 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
-#include <span>
-#include <string>
+#include <type_traits>
 #include <utility>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "geodesic/v1/matrix_service.pb.h"
+#include "geodesic/v1/question_service.pb.h"
 #include "server/engine/query_engine.h"
 #include "server/rpc/calls/answer_stream.h"
 #include "server/rpc/messages/translation.h"
 
 namespace geodesic::server {
 
-// The fields of a chunk that hold columns and values.
-struct ChunkBytes {
-  std::string& columns;
-  std::string& values;
-};
-inline ChunkBytes BytesOf(v1::MatrixChunk& chunk) {
-  return {*chunk.mutable_columns(), *chunk.mutable_values()};
-}
-inline ChunkBytes BytesOf(v1::NearestChunk& chunk) {
-  return {*chunk.mutable_targets(), *chunk.mutable_distances()};
-}
-
 // The pipeline computes the next row only when one is taken, so a slow reader
 // holds a few rows.
-template <typename Request, typename Response>
-class RowStream final : public AnswerStream<Request, Response> {
+template <typename Request>
+class RowStream final : public AnswerStream<Request> {
  public:
-  using AnswerStream<Request, Response>::AnswerStream;
+  using AnswerStream<Request>::AnswerStream;
 
  private:
-  static constexpr uint64_t kValuesPerChunk = 32768;
+  static constexpr bool kIsNearest =
+      std::is_same_v<Request, v1::FindNearestRequest>;
 
-  absl::Status Ask() override {
+  absl::Status AskEngine() override {
     const Request& request = this->request();
     const Limits& limits = this->engine().limits();
-    const absl::StatusOr<v1::ValueType> value_type =
-        ResolveValueType(request.value_type());
-    if (!value_type.ok()) return value_type.status();
-    value_type_ = *value_type;
     MatrixRequest question;
-    absl::Status status = this->BeginQuestion(question);
-    if (!status.ok()) return status;
-    if constexpr (requires { request.layout(); }) {
+    this->BeginQuestion(question);
+    if constexpr (kIsNearest) {
+      question.filter.nearest = request.count();
+    } else {
       question.filter.sparse = request.layout() == v1::MATRIX_LAYOUT_SPARSE;
-      if (!question.filter.sparse &&
-          request.layout() != v1::MATRIX_LAYOUT_DENSE &&
-          request.layout() != v1::MATRIX_LAYOUT_UNSPECIFIED) {
+      if (!v1::MatrixLayout_IsValid(request.layout())) {
         return Unknown("layout", request.layout());
       }
-    } else {
-      question.filter.nearest = request.count();
     }
-    status = AddRows(request.sources(), request.vertex_sources(), limits,
-                     question.query);
+    absl::Status status = AddRows(request.sources(), request.vertex_sources(),
+                                  limits, question.query);
     if (status.ok()) {
       status = AddTargets(request.targets(), request.vertex_targets(), limits,
                           question.query);
     }
     if (!status.ok()) return status;
     if (request.has_radius()) question.filter.radius = request.radius();
-    tolerance_ = question.query.tolerance;
-    is_sparse_ = question.filter.sparse || question.filter.nearest.has_value();
+    is_sparse_ = kIsNearest || question.filter.sparse;
     absl::StatusOr<MatrixCall> call = this->engine().matrices().Compute(
-        std::move(question), [self = this->Shared(this)] {
-          self->Update([&] { self->has_news_ = true; });
-        });
-    if (call.ok()) call_ = *std::move(call);
-    return call.status();
+        std::move(question), [self = this->Shared(this)] { self->SetNews(); });
+    if (!call.ok()) return call.status();
+    call_ = *std::move(call);
+    this->SetHeader(*call_.mesh, call_.algorithm);
+    Announce();
+    // What rows were certified to that the reader has.
+    if (this->is_resumed()) certified_error_ = this->tolerance();
+    return absl::OkStatus();
+  }
+
+  void Announce() {
+    const auto rows = static_cast<int64_t>(call_.row_count);
+    const auto columns = static_cast<int64_t>(call_.column_count);
+    if (!is_sparse_) {
+      distance_ = this->writer().Announce("distance", this->value_type(),
+                                          {rows, columns});
+      return;
+    }
+    row_end_ =
+        this->writer().Announce("row_end", v1::VALUE_TYPE_UINT64, {rows});
+    column_ = this->writer().Announce(kIsNearest ? "target" : "column",
+                                      v1::VALUE_TYPE_UINT32, {-1});
+    distance_ = this->writer().Announce("distance", this->value_type(), {-1});
   }
 
   void Cancel() override { call_.rows->Cancel(); }
 
-  absl::StatusOr<NextMessage> Fill(Response& message) override {
-    if (!std::exchange(has_header_, true)) {
-      v1::MatrixHeader& header = *message.mutable_header();
-      *header.mutable_answer() =
-          MakeHeader(*call_.mesh, call_.algorithm, this->version(), tolerance_);
-      header.set_row_count(call_.row_count);
-      header.set_column_count(call_.column_count);
-      header.set_value_type(value_type_);
-      header.set_layout(is_sparse_ ? v1::MATRIX_LAYOUT_SPARSE
-                                   : v1::MATRIX_LAYOUT_DENSE);
-      return NextMessage::kSend;
-    }
-    if (!row_.has_value()) {
-      if (next_row_ == call_.row_count) {
-        *message.mutable_trailer() =
-            MakeTrailer(call_.rows->seconds(), call_.rows->windows_propagated(),
-                        next_row_, certified_error_);
-        return NextMessage::kSendLast;
+  absl::StatusOr<NextMessage> FillBlocks() override {
+    for (; next_row_ < call_.row_count; ++next_row_) {
+      if (!row_.has_value()) {
+        std::optional<absl::StatusOr<MatrixRow>> row = call_.rows->Take();
+        if (!row.has_value()) {
+          this->progress().set_items_finished(call_.rows->rows_finished());
+          return NextMessage::kWait;
+        }
+        if (!row->ok()) return row->status();
+        row_ = **std::move(row);
+        certified_error_ = std::max(certified_error_, row_->certified_error);
       }
-      std::optional<absl::StatusOr<MatrixRow>> row = call_.rows->Take();
-      if (!row.has_value()) {
-        if (!std::exchange(has_news_, false)) return NextMessage::kWait;
-        message.mutable_progress()->set_rows_finished(
-            call_.rows->rows_finished());
-        return NextMessage::kSend;
-      }
-      if (!row->ok()) return row->status();
-      row_ = **std::move(row);
-      certified_error_ = std::max(certified_error_, row_->certified_error);
-      next_value_ = 0;
-    }
-    FillChunk(*message.mutable_chunk());
-    return NextMessage::kSend;
-  }
-
-  template <typename Chunk>
-  void FillChunk(Chunk& chunk) {
-    const std::span<const double> values = row_->values;
-    const std::span<const uint32_t> columns = row_->columns;  // dense: none
-    const uint64_t count =
-        std::min(kValuesPerChunk, values.size() - next_value_);
-    chunk.set_row(next_row_);
-    chunk.set_value_count(values.size());
-    chunk.set_offset(next_value_);
-    const ChunkBytes bytes = BytesOf(chunk);
-    SetBytes(columns.empty() ? columns : columns.subspan(next_value_, count),
-             bytes.columns);
-    SetValues(values.subspan(next_value_, count), value_type_, bytes.values);
-    this->entry().add_bytes(bytes.values.size());
-    next_value_ += count;
-    if (next_value_ == values.size()) {
+      if (!PutRow()) return NextMessage::kSend;
+      first_ += row_->values.size();
       row_.reset();
-      ++next_row_;
     }
+    this->SetCost(call_.rows->seconds(), call_.rows->windows_propagated(),
+                  certified_error_);
+    return NextMessage::kSendLast;
   }
 
-  // Set by Ask, then constant:
+  // As AnswerWriter::Put.
+  bool PutRow() {
+    return (!is_sparse_ ||
+            (this->writer().PutOne(row_end_, next_row_,
+                                   first_ + row_->values.size()) &&
+             this->writer().Put(column_, first_, row_->columns))) &&
+           this->writer().Put(distance_, first_, row_->values);
+  }
+
+  // Set by AskEngine, then constant:
   MatrixCall call_;
-  v1::ValueType value_type_ = v1::VALUE_TYPE_FLOAT64;
   bool is_sparse_ = false;
-  double tolerance_ = 0;
+  // Arrays:
+  uint32_t row_end_ = 0;
+  uint32_t column_ = 0;
+  uint32_t distance_ = 0;
 
   // Guarded by the stream's lock:
-  bool has_header_ = false;
-  bool has_news_ = false;  // a row was finished since the last progress
   uint64_t next_row_ = 0;
-  std::optional<MatrixRow> row_;  // being sent
-  uint64_t next_value_ = 0;       // of *row_
+  uint64_t first_ = 0;            // value of that row
+  std::optional<MatrixRow> row_;  // being put
   double certified_error_ = 0;    // of the rows so far
 };
 
-using MatrixStream =
-    RowStream<v1::ComputeMatrixRequest, v1::ComputeMatrixResponse>;
-using NearestStream =
-    RowStream<v1::FindNearestRequest, v1::FindNearestResponse>;
+using MatrixStream = RowStream<v1::ComputeMatrixRequest>;
+using NearestStream = RowStream<v1::FindNearestRequest>;
 
 }  // namespace geodesic::server
 
