@@ -120,14 +120,15 @@ void ExpectRules(const Reply& reply, const v1::Resumption& before) {
   std::vector<uint64_t> next(before.received().begin(),
                              before.received().end());
   next.resize(arrays.size());
-  bool has_blocks = false;
+  bool is_named = false;
   for (const v1::Answer& message : reply.messages) {
     EXPECT_EQ(message.has_header(), &message == &reply.messages.front());
     EXPECT_EQ(message.has_trailer(),
               reply.status.ok() && &message == &reply.messages.back());
-    EXPECT_FALSE(message.has_progress() && has_blocks);
-    EXPECT_EQ(message.answer_id().empty(),
-              has_blocks || message.blocks().empty());
+    // With the first block, or at the end if there is none.
+    const bool brings_name = !message.blocks().empty() || message.has_trailer();
+    EXPECT_EQ(message.answer_id().empty(), is_named || !brings_name);
+    is_named |= brings_name;
     for (const v1::Block& block : message.blocks()) {
       ASSERT_LT(block.array(), arrays.size());
       const size_t size = SizeOf(arrays[block.array()]);
@@ -135,7 +136,6 @@ void ExpectRules(const Reply& reply, const v1::Resumption& before) {
       EXPECT_GT(block.values().size(), 0);
       EXPECT_EQ(block.values().size() % size, 0);
       next[block.array()] += block.values().size() / size;
-      has_blocks = true;
     }
   }
   if (!reply.status.ok()) return;
