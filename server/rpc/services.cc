@@ -1,13 +1,10 @@
 #include "server/rpc/services.h"
 
+#include "server/rpc/streams/field_questions.h"
 #include "server/rpc/streams/field_stream.h"
-#include "server/rpc/streams/isoline_stream.h"
-#include "server/rpc/streams/log_map_stream.h"
+#include "server/rpc/streams/job_questions.h"
 #include "server/rpc/streams/mesh_streams.h"
-#include "server/rpc/streams/pair_stream.h"
-#include "server/rpc/streams/path_stream.h"
-#include "server/rpc/streams/row_stream.h"
-#include "server/rpc/streams/sample_stream.h"
+#include "server/rpc/streams/row_questions.h"
 #include "server/rpc/unary_calls.h"
 
 namespace geodesic::server {

@@ -257,12 +257,11 @@ class AnswerStream : public OneRequestCall<RequestType, v1::Answer> {
   absl::Status SetName(v1::Answer& message) {
     if (std::exchange(is_named_, true)) return absl::OkStatus();
     name_.Update(Variant());
-    std::string name = name_.FinishHex();
-    if (resumption_.has_value() && resumption_->answer_id() != name) {
-      return AnswerNotKept();
-    }
-    if (message.blocks_size() > 0) message.set_answer_id(std::move(name));
-    return absl::OkStatus();
+    message.set_answer_id(name_.FinishHex());
+    return resumption_.has_value() &&
+                   resumption_->answer_id() != message.answer_id()
+               ? AnswerNotKept()
+               : absl::OkStatus();
   }
 
   // A client that hears nothing cannot tell waiting from a broken connection,

@@ -266,6 +266,14 @@ v1::SolveStatistics ToProto(const SolveStatistics& statistics) {
   return proto;
 }
 
+v1::PairCounts ToProto(const PairCounts& counts) {
+  v1::PairCounts proto;
+  proto.set_searched(counts.searched);
+  proto.set_from_fields(counts.from_fields);
+  proto.set_from_cache(counts.from_cache);
+  return proto;
+}
+
 v1::AnswerHeader MakeHeader(const ResidentMesh& mesh,
                             const AlgorithmChoice& algorithm,
                             const std::string& version) {

@@ -30,6 +30,7 @@
 #include "server/engine/meshes/mesh_store.h"
 #include "server/engine/meshes/method_store.h"
 #include "server/engine/pairs/pair_plan.h"
+#include "server/engine/pairs/pair_work.h"
 
 namespace geodesic::server {
 
@@ -80,6 +81,7 @@ double RelativeTolerance(const AlgorithmChoice& choice, double certified_error);
 v1::AnswerOrigin ToProto(FieldOrigin origin);
 v1::SolveProgress ToProto(const Progress& progress);
 v1::SolveStatistics ToProto(const SolveStatistics& statistics);
+v1::PairCounts ToProto(const PairCounts& counts);
 // Without what depends on the question: origin and arrays.
 v1::AnswerHeader MakeHeader(const ResidentMesh& mesh,
                             const AlgorithmChoice& algorithm,
