@@ -106,11 +106,11 @@ MeshInfo FromProto(const v1::Mesh& mesh) {
       .touching_edge_count = mesh.touching_edge_count()};
 }
 
-FieldOrigin FromProto(v1::FieldOrigin origin) {
+FieldOrigin FromProto(v1::AnswerOrigin origin) {
   switch (origin) {
-    case v1::FIELD_ORIGIN_JOINED:
+    case v1::ANSWER_ORIGIN_JOINED:
       return FieldOrigin::kJoined;
-    case v1::FIELD_ORIGIN_CACHED:
+    case v1::ANSWER_ORIGIN_CACHED:
       return FieldOrigin::kCached;
     default:
       return FieldOrigin::kComputed;

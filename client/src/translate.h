@@ -13,10 +13,11 @@
 
 #include "absl/status/statusor.h"
 #include "codec/places.h"
+#include "geodesic/v1/answer.pb.h"
 #include "geodesic/v1/capabilities_service.pb.h"
-#include "geodesic/v1/field_service.pb.h"
 #include "geodesic/v1/mesh.pb.h"
 #include "geodesic/v1/query.pb.h"
+#include "geodesic/v1/question_service.pb.h"
 #include "geodesic/v1/surface.pb.h"
 #include "geodesic_client/answer.h"
 #include "geodesic_client/capabilities.h"
@@ -29,7 +30,7 @@ namespace geodesic::client {
 Point FromProto(const v1::Point& point);
 Approximation FromProto(const v1::Approximation& approximation);
 MeshInfo FromProto(const v1::Mesh& mesh);
-FieldOrigin FromProto(v1::FieldOrigin origin);
+FieldOrigin FromProto(v1::AnswerOrigin origin);
 FieldStatistics FromProto(const v1::SolveStatistics& statistics);
 Capabilities FromProto(const v1::GetCapabilitiesResponse& response);
 // `vertex_count` comes from the answer's header.
@@ -86,7 +87,7 @@ void AddSources(std::span<const Source> sources, Request& request) {
   }
 }
 
-// A request with those members of `query` that several questions have.
+// A request with the members of `query`, but for pairs.
 // Errors: INVALID_ARGUMENT for an unknown algorithm.
 template <typename Request, typename Query>
 absl::StatusOr<Request> MakeRequest(const Query& query) {
@@ -110,11 +111,35 @@ absl::StatusOr<Request> MakeRequest(const Query& query) {
   if constexpr (requires { query.targets; }) {
     AddTargets<Request>(query.targets, request);
   }
+  if constexpr (requires { query.source; }) {
+    *request.mutable_source() = codec::ToProto(query.source);
+  }
   if constexpr (requires { query.value_type; }) {
     request.set_value_type(ToProto(query.value_type));
   }
   if constexpr (requires { query.radius; }) {
     if (query.radius.has_value()) request.set_radius(*query.radius);
+  }
+  if constexpr (requires { query.count; }) request.set_count(query.count);
+  if constexpr (requires { query.levels; }) {
+    request.mutable_levels()->Add(query.levels.begin(), query.levels.end());
+    if (query.chord_error != 0) request.set_chord_error(query.chord_error);
+  }
+  if constexpr (requires { query.paths; }) request.set_paths(query.paths);
+  if constexpr (requires { query.sparse; }) {
+    request.set_layout(query.sparse ? v1::MATRIX_LAYOUT_SPARSE
+                                    : v1::MATRIX_LAYOUT_DENSE);
+  }
+  if constexpr (requires { query.stop_after_targets; }) {
+    if (query.stop_after_targets.has_value()) {
+      request.set_stop_after_targets(*query.stop_after_targets);
+    }
+    const auto add = [&request](bool is_wanted, v1::FieldQuantity quantity) {
+      if (is_wanted) request.add_quantities(quantity);
+    };
+    add(query.nearest_sources, v1::FIELD_QUANTITY_NEAREST_SOURCE);
+    add(query.gradients, v1::FIELD_QUANTITY_GRADIENT);
+    add(query.certified_errors, v1::FIELD_QUANTITY_CERTIFIED_ERROR);
   }
   return request;
 }
