@@ -11,7 +11,7 @@
 
 #include "absl/status/status.h"
 #include "bench/question_options.h"
-#include "geodesic/approximate/method.h"
+#include "geodesic_types/algorithms.h"
 #include "geodesic/approximate/prepare.h"
 #include "geodesic/mesh.h"
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "bench/subject.h"
-#include "geodesic/algorithm.h"
+#include "geodesic_types/algorithms.h"
 #include "geodesic/distance_field.h"
 #include "geodesic/solve_options.h"
 

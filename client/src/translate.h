@@ -43,9 +43,9 @@ v1::Priority ToProto(Priority priority);
 // "fwp-ch" for ALGORITHM_FWP_CH. The name follows from the protocol's name.
 std::string AlgorithmName(v1::Algorithm algorithm);
 
-// The inverse; ALGORITHM_UNSPECIFIED for an empty name.
-// Errors: INVALID_ARGUMENT naming `name` and the known names.
-absl::StatusOr<v1::Algorithm> AlgorithmFromName(std::string_view name);
+// ALGORITHM_UNSPECIFIED for an empty name. Errors: INVALID_ARGUMENT naming the
+// algorithm and those that are known.
+absl::StatusOr<v1::Algorithm> ToProto(std::string_view algorithm);
 
 inline bool HasOffset(const SurfacePoint&) { return false; }
 inline bool HasOffset(const Source& source) { return source.offset != 0; }
@@ -91,7 +91,7 @@ void AddSources(std::span<const Source> sources, Request& request) {
 // Errors: INVALID_ARGUMENT for an unknown algorithm.
 template <typename Request, typename Query>
 absl::StatusOr<Request> MakeRequest(const Query& query) {
-  absl::StatusOr<v1::Algorithm> algorithm = AlgorithmFromName(query.algorithm);
+  absl::StatusOr<v1::Algorithm> algorithm = ToProto(query.algorithm);
   if (!algorithm.ok()) return algorithm.status();
   Request request;
   request.set_mesh_digest(query.mesh_digest);

@@ -14,7 +14,7 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "geodesic/approximate/fast_marching.h"
-#include "geodesic/approximate/method.h"
+#include "geodesic_types/algorithms.h"
 #include "geodesic/approximate/saddle_vertex_graph.h"
 #include "geodesic/approximate/triangle_unfolding.h"
 #include "status.h"

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geodesic/algorithm.h"
+#include "geodesic_types/algorithms.h"
 #include "geodesic/mesh.h"
 #include "geodesic/query.h"
 #include "geodesic/surface_point.h"

@@ -6,8 +6,7 @@
 #include <utility>
 
 #include "absl/status/statusor.h"
-#include "geodesic/algorithm.h"
-#include "geodesic/approximate/method.h"
+#include "geodesic_types/algorithms.h"
 #include "geodesic/approximate/prepare.h"
 #include "geodesic/field_quantities.h"
 #include "geodesic/isolines.h"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "geodesic/algorithm.h"
+#include "geodesic_types/algorithms.h"
 #include "geodesic/mesh.h"
 
 namespace geodesic {

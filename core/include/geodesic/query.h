@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "geodesic/algorithm.h"
+#include "geodesic_types/algorithms.h"
 #include "geodesic/surface_point.h"
 #include "geodesic_types/places.h"
 

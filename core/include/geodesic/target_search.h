@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "geodesic/algorithm.h"
+#include "geodesic_types/algorithms.h"
 #include "geodesic/checkpoint.h"
 #include "geodesic/distance_field.h"
 #include "geodesic/landmarks.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "geodesic/approximate/method.h"
+#include "geodesic_types/algorithms.h"
 #include "geodesic/mesh.h"
 #include "geodesic/valid_query.h"
 

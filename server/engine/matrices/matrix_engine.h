@@ -11,7 +11,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "geodesic/algorithm.h"
+#include "geodesic_types/algorithms.h"
 #include "geodesic/query.h"
 #include "geodesic/solve_options.h"
 #include "server/engine/base/byte_budget.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "geodesic/algorithm.h"
+#include "geodesic_types/algorithms.h"
 #include "geodesic/solve_options.h"
 #include "server/engine/base/clock.h"
 #include "server/engine/base/limits.h"

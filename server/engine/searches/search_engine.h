@@ -10,7 +10,7 @@
 #include <span>
 
 #include "absl/status/statusor.h"
-#include "geodesic/algorithm.h"
+#include "geodesic_types/algorithms.h"
 #include "geodesic/checkpoint.h"
 #include "geodesic/path.h"
 #include "geodesic/solve_options.h"

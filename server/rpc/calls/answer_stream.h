@@ -163,14 +163,12 @@ class AnswerStream : public OneRequestCall<RequestType, v1::Answer> {
     const absl::StatusOr<bool> is_batch = IsBatch(request.priority());
     if (!is_batch.ok()) return is_batch.status();
     is_batch_ = *is_batch;
+    tolerance_ = request.tolerance();
     absl::StatusOr<AlgorithmChoice> choice =
-        FromProto(request.algorithm(), request.approximation());
+        ReadAlgorithm(QuestionNamed(MethodOf<RequestType>()),
+                      request.algorithm(), request.approximation(), tolerance_);
     if (!choice.ok()) return choice.status();
     algorithm_ = *std::move(choice);
-    tolerance_ = request.tolerance();
-    absl::Status status =
-        CheckAlgorithm(MethodOf<RequestType>(), algorithm_, tolerance_);
-    if (!status.ok()) return status;
     if (request.has_resumption()) resumption_ = request.resumption();
     writer_.emplace(
         std::vector<uint64_t>(request.resumption().received().begin(),

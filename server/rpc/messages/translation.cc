@@ -8,9 +8,10 @@
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
+#include "codec/algorithms.h"
 #include "codec/mesh_format.h"
 #include "codec/places.h"
-#include "geodesic/algorithm.h"
+#include "geodesic_types/algorithms.h"
 #include "geodesic_types/field_path.h"
 #include "server/engine/base/argument_checks.h"
 
@@ -74,33 +75,6 @@ absl::StatusOr<FieldExtras> ExtrasFrom(const v1::ComputeFieldRequest& request) {
                         "for them when it is finished");
   }
   return extras;
-}
-
-// ALGORITHM_FWP_CH for "fwp-ch".
-v1::Algorithm AlgorithmNamed(std::string_view algorithm) {
-  std::string name = "ALGORITHM_" + std::string(algorithm);
-  absl::AsciiStrToUpper(&name);
-  std::ranges::replace(name, '-', '_');
-  v1::Algorithm result = v1::ALGORITHM_UNSPECIFIED;
-  v1::Algorithm_Parse(name, &result);
-  return result;
-}
-
-// Refuses parameters that are not among those of the algorithm.
-absl::Status CheckParameters(const v1::Approximation& given,
-                             const v1::Approximation& taken,
-                             const std::string& algorithm) {
-  const auto refuse = [&](const std::string& name) {
-    const std::string field = "approximation." + name;
-    return InvalidField(field, absl::StrCat(field, " is no parameter of ",
-                                            algorithm, "; leave it out"));
-  };
-  if (given.has_lambda() && !taken.has_lambda()) return refuse("lambda");
-  if (given.has_neighbours() && !taken.has_neighbours()) {
-    return refuse("neighbours");
-  }
-  if (given.has_samples() && !taken.has_samples()) return refuse("samples");
-  return absl::OkStatus();
 }
 
 }  // namespace
@@ -192,39 +166,6 @@ absl::Status Unknown(const std::string& field, int number) {
                                           ", which this server does not know"));
 }
 
-v1::Algorithm ToProto(Algorithm algorithm) {
-  return AlgorithmNamed(AlgorithmName(algorithm));
-}
-
-v1::Algorithm ToProto(ApproximateMethod method) {
-  return AlgorithmNamed(ApproximateMethodName(method));
-}
-
-v1::Algorithm ToProto(const AlgorithmChoice& choice) {
-  const auto* method = std::get_if<MethodChoice>(&choice);
-  return method != nullptr ? ToProto(method->method)
-                           : ToProto(std::get<Algorithm>(choice));
-}
-
-v1::Approximation ToProto(const MethodChoice& choice) {
-  v1::Approximation proto;
-  switch (choice.method) {
-    case ApproximateMethod::kHeat:
-      proto.set_lambda(choice.lambda);
-      break;
-    case ApproximateMethod::kSvg:
-      proto.set_neighbours(choice.neighbours);
-      break;
-    case ApproximateMethod::kGtu:
-      proto.set_samples(choice.samples);
-      break;
-    case ApproximateMethod::kFmm:
-    case ApproximateMethod::kFmmUntidy:
-      break;
-  }
-  return proto;
-}
-
 double RelativeTolerance(const AlgorithmChoice& choice,
                          double certified_error) {
   return std::holds_alternative<MethodChoice>(choice)
@@ -283,91 +224,30 @@ v1::AnswerHeader MakeHeader(const ResidentMesh& mesh,
   for (std::string& note : Notes(mesh.summary)) {
     header.add_mesh_notes(std::move(note));
   }
-  header.set_algorithm(ToProto(algorithm));
+  header.set_algorithm(codec::ToProto(algorithm));
   header.set_server_version(version);
   if (const auto* method = std::get_if<MethodChoice>(&algorithm)) {
-    *header.mutable_approximation() = ToProto(*method);
+    *header.mutable_approximation() = codec::ToProto(*method);
   }
   return header;
 }
 
-absl::StatusOr<AlgorithmChoice> FromProto(
-    v1::Algorithm algorithm, const v1::Approximation& approximation) {
-  MethodChoice choice;
-  if (approximation.has_lambda()) choice.lambda = approximation.lambda();
-  if (approximation.has_neighbours()) {
-    choice.neighbours = approximation.neighbours();
+absl::StatusOr<AlgorithmChoice> ReadAlgorithm(
+    const QuestionInfo& question, v1::Algorithm algorithm,
+    const v1::Approximation& approximation, double tolerance) {
+  absl::StatusOr<AlgorithmChoice> choice =
+      codec::FromProto(algorithm, approximation);
+  if (!choice.ok()) return choice;
+  if (const auto* method = std::get_if<MethodChoice>(&*choice)) {
+    absl::Status status = Validate(*method);
+    if (!status.ok()) {
+      return WithFieldPath(
+          status, absl::StrCat("approximation.", *FieldPathOf(status)));
+    }
   }
-  if (approximation.has_samples()) choice.samples = approximation.samples();
-  for (const ApproximateMethodInfo& info : kApproximateMethods) {
-    if (ToProto(info.method) != algorithm) continue;
-    choice.method = info.method;
-    absl::Status status =
-        CheckParameters(approximation, ToProto(choice), std::string(info.name));
-    if (!status.ok()) return status;
-    status = Validate(choice);
-    if (status.ok()) return choice;
-    return WithFieldPath(status,
-                         absl::StrCat("approximation.", *FieldPathOf(status)));
-  }
-  absl::Status status =
-      CheckParameters(approximation, {}, "an exact algorithm");
+  absl::Status status = CheckAlgorithm(question, *choice, tolerance);
   if (!status.ok()) return status;
-  if (algorithm == v1::ALGORITHM_UNSPECIFIED) return kDefaultAlgorithm;
-  for (const AlgorithmInfo& info : kAlgorithms) {
-    if (ToProto(info.algorithm) == algorithm) return info.algorithm;
-  }
-  return InvalidField("algorithm",
-                      absl::StrCat("algorithm is ", static_cast<int>(algorithm),
-                                   ", which this server does not know; "
-                                   "GetCapabilities lists those it does"));
-}
-
-absl::Status CheckAlgorithm(std::string_view method,
-                            const AlgorithmChoice& choice, double tolerance) {
-  const auto refuse = [](const std::string& field, const std::string& what) {
-    return InvalidField(field, absl::StrCat(field, ": ", what));
-  };
-  const auto is_among = [&](std::initializer_list<std::string_view> methods) {
-    return std::ranges::count(methods, method) > 0;
-  };
-  const auto* approximate = std::get_if<MethodChoice>(&choice);
-  const std::string name(approximate != nullptr
-                             ? ApproximateMethodName(approximate->method)
-                             : AlgorithmName(std::get<Algorithm>(choice)));
-  if (tolerance != 0) {
-    const std::string other = "; name no algorithm beside it, or fwp-list";
-    if (is_among({"ComputePaths", "ComputeLogMap"})) {
-      return refuse("tolerance",
-                    std::string(method) + " answers exactly; leave it out");
-    }
-    if (approximate != nullptr) {
-      return refuse("tolerance",
-                    name + " is approximate and certifies nothing" + other);
-    }
-    if (std::get<Algorithm>(choice) != Algorithm::kFwpList) {
-      return refuse("tolerance", name +
-                                     " merges no windows and takes no "
-                                     "tolerance" +
-                                     other);
-    }
-  }
-  if (approximate == nullptr && method == "ComputePairs" &&
-      std::get<Algorithm>(choice) != kDefaultAlgorithm) {
-    return refuse("algorithm",
-                  "exact distances of pairs are searched for by the default "
-                  "algorithm; leave it out or name an approximate one");
-  }
-  if (approximate != nullptr && !is_among({"ComputeField", "ComputeMatrix",
-                                           "FindNearest", "ComputePairs"})) {
-    return refuse(
-        "algorithm",
-        absl::StrCat(name, " is approximate, and ", std::string(method),
-                     " answers exactly: name an exact algorithm or "
-                     "none; ComputeField, ComputeMatrix, FindNearest "
-                     "and ComputePairs take approximate ones"));
-  }
-  return absl::OkStatus();
+  return choice;
 }
 
 absl::StatusOr<v1::ValueType> ResolveValueType(v1::ValueType type) {
@@ -452,8 +332,8 @@ v1::Mesh ToProto(const MeshDescription& mesh) {
   proto.set_close_edge_distance(summary.close_edge_distance);
   for (const MethodDescription& method : mesh.methods) {
     v1::PreparedMethod& prepared = *proto.add_prepared_methods();
-    prepared.set_algorithm(ToProto(method.choice.method));
-    *prepared.mutable_approximation() = ToProto(method.choice);
+    prepared.set_algorithm(codec::ToProto(method.choice.method));
+    *prepared.mutable_approximation() = codec::ToProto(method.choice);
     prepared.set_prepared_bytes(method.bytes);
     prepared.set_prepare_seconds(method.prepare_seconds);
   }

@@ -24,6 +24,7 @@
 #include "geodesic/v1/query.pb.h"
 #include "geodesic/v1/question_service.pb.h"
 #include "geodesic/v1/surface.pb.h"
+#include "geodesic_types/questions.h"
 #include "server/engine/base/limits.h"
 #include "server/engine/fields/field_engine.h"
 #include "server/engine/meshes/mesh_catalogue.h"
@@ -70,11 +71,6 @@ void SetPoint(const Point& from, v1::Point& to);
 // What geodesic::Solve guarantees (solve.h).
 inline constexpr double kRelativeTolerance = 1e-10;
 
-v1::Algorithm ToProto(Algorithm algorithm);
-v1::Algorithm ToProto(ApproximateMethod method);
-v1::Algorithm ToProto(const AlgorithmChoice& choice);
-// The parameters of the method.
-v1::Approximation ToProto(const MethodChoice& choice);
 // 1e-10 for exact distances, the certified error for those that have one,
 // infinity for others.
 double RelativeTolerance(const AlgorithmChoice& choice, double certified_error);
@@ -92,12 +88,11 @@ v1::AnswerHeader MakeHeader(const ResidentMesh& mesh,
 absl::Status Unknown(const std::string& field, int number);
 
 // Errors of these: INVALID_ARGUMENT naming the part of the request at fault.
-absl::StatusOr<AlgorithmChoice> FromProto(
-    v1::Algorithm algorithm, const v1::Approximation& approximation);
-// Whether the method, e.g. "ComputeField", takes the algorithm, and both the
-// tolerance, whose range the engine checks.
-absl::Status CheckAlgorithm(std::string_view method,
-                            const AlgorithmChoice& choice, double tolerance);
+// Also if the question does not take this algorithm, or this tolerance, whose
+// range the engine checks.
+absl::StatusOr<AlgorithmChoice> ReadAlgorithm(
+    const QuestionInfo& question, v1::Algorithm algorithm,
+    const v1::Approximation& approximation, double tolerance);
 // Never unspecified.
 absl::StatusOr<v1::ValueType> ResolveValueType(v1::ValueType type);
 absl::StatusOr<bool> IsBatch(v1::Priority priority);

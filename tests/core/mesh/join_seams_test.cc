@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "geodesic/algorithm.h"
+#include "geodesic_types/algorithms.h"
 #include "geodesic/isolines.h"
 #include "geodesic/mesh.h"
 #include "geodesic/mesh_summary.h"
