@@ -247,6 +247,16 @@ inline constexpr double kGoalMargin = 1e-10;
 // square of this, and half-edges would be swapped for the sake of rounding.
 inline constexpr double kTautAngle = 1e-7;
 
+// Directions that differ by no more than this, in radians, are the same but for
+// the rounding of the angles that they are sums of, at a vertex of some
+// thousand faces.
+inline constexpr double kRoundedAngle = 1e-12;
+
+// A straight line that passes a vertex no farther than this fraction of its way
+// since the last one runs into it: each edge that it crosses turns it by a
+// rounding.
+inline constexpr double kTracedVertex = 1e-13;
+
 // Distances from landmarks are kept as whole steps of 1.5e-5 to 3e-5 of the
 // mesh's size. Bounds allow for this part of a step beside: half of it for
 // fields whose distances differ along an edge by more than its length, half,

@@ -12,6 +12,9 @@ namespace {
 
 // Enough for all who watch a server, and for many idle connections.
 constexpr unsigned kMostConnections = 512;
+// Beyond these an address's connections are closed at once, so that whoever
+// opens many and is silent keeps no other address waiting.
+constexpr unsigned kMostOfAnAddress = 64;
 constexpr unsigned kIdleSeconds = 10;
 // A request's head must fit in here.
 constexpr size_t kConnectionBytes = 8192;
@@ -74,7 +77,8 @@ absl::Status HttpServer::Start(const std::string& address) {
   daemon_.reset(MHD_start_daemon(
       flags, 0, nullptr, nullptr, &Serve, const_cast<Pages*>(&pages_),
       MHD_OPTION_SOCK_ADDR, resolved->ai_addr, MHD_OPTION_CONNECTION_LIMIT,
-      kMostConnections, MHD_OPTION_CONNECTION_TIMEOUT, kIdleSeconds,
+      kMostConnections, MHD_OPTION_PER_IP_CONNECTION_LIMIT, kMostOfAnAddress,
+      MHD_OPTION_CONNECTION_TIMEOUT, kIdleSeconds,
       MHD_OPTION_CONNECTION_MEMORY_LIMIT, kConnectionBytes, MHD_OPTION_END));
   if (daemon_ != nullptr) return absl::OkStatus();
   return absl::UnavailableError(absl::StrCat(

@@ -65,6 +65,28 @@ struct BlobStore::Found {
   timespec used;
 };
 
+class BlobStore::NameHold {
+ public:
+  NameHold(BlobStore& store, const std::string& name)
+      : store_(store), name_(name) {
+    std::unique_lock lock(store_.names_mutex_);
+    store_.name_is_free_.wait(
+        lock, [this] { return !store_.held_names_.contains(name_); });
+    store_.held_names_.insert(name_);
+  }
+  NameHold(const NameHold&) = delete;
+  NameHold& operator=(const NameHold&) = delete;
+  ~NameHold() {
+    std::lock_guard lock(store_.names_mutex_);
+    store_.held_names_.erase(name_);
+    store_.name_is_free_.notify_all();
+  }
+
+ private:
+  BlobStore& store_;
+  const std::string name_;
+};
+
 absl::StatusOr<std::unique_ptr<BlobStore>> BlobStore::Open(
     const DataFolder& folder, Options options) {
   absl::StatusOr<FileDescriptor> files =
@@ -97,6 +119,10 @@ std::string BlobStore::PathOf(const std::string& name) const {
 
 void BlobStore::Warn(const std::string& line) const {
   if (options_.warn) options_.warn(line);
+}
+
+absl::Status BlobStore::Flush(const std::string& path) {
+  return flush_.Run([&] { return Sync(folder_.get(), path); });
 }
 
 absl::Status BlobStore::Scan() {
@@ -316,12 +342,8 @@ absl::Status BlobStore::MakeRoom(uint64_t bytes, size_t count) {
 absl::StatusOr<std::string> BlobStore::WriteTemporary(
     const BlobInfo& info,
     absl::FunctionRef<absl::Status(BlobSink& sink)> write) {
-  std::string temporary;
-  {
-    std::lock_guard lock(names_mutex_);
-    temporary =
-        absl::StrCat(info.name, ".", next_temporary_++, kTemporaryEnding);
-  }
+  const std::string temporary =
+      absl::StrCat(info.name, ".", next_temporary_++, kTemporaryEnding);
   const FileDescriptor file(
       openat(folder_.get(), temporary.c_str(),
              O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600));
@@ -335,14 +357,14 @@ absl::StatusOr<std::string> BlobStore::WriteTemporary(
 absl::Status BlobStore::Publish(const std::string& temporary, BlobInfo info,
                                 bool& is_reserved) {
   const std::string file = FileName(info.name);
-  std::lock_guard names_lock(names_mutex_);
+  const NameHold hold(*this, info.name);
   if (renameat(folder_.get(), temporary.c_str(), folder_.get(), file.c_str()) !=
       0) {
     const int error = errno;
     unlinkat(folder_.get(), temporary.c_str(), 0);
     return FolderError(error, "name", PathOf(info.name));
   }
-  absl::Status status = Sync(folder_.get(), PathOf(info.name));
+  absl::Status status = Flush(PathOf(info.name));
   std::lock_guard lock(mutex_);
   const auto old = entries_.find(info.name);
   if (!status.ok() && old == entries_.end()) {
@@ -441,7 +463,7 @@ absl::Status BlobStore::Take(const std::string& name, TakeBlob take) {
 }
 
 absl::Status BlobStore::Look(const std::string& name) {
-  std::lock_guard names_lock(names_mutex_);
+  const NameHold hold(*this, name);
   struct stat facts {};
   const bool is_there =
       fstatat(folder_.get(), FileName(name).c_str(), &facts, 0) == 0;
@@ -461,7 +483,7 @@ absl::Status BlobStore::Look(const std::string& name) {
 void BlobStore::SetAside(const std::string& name, ino_t inode,
                          const absl::Status& why) {
   {
-    std::lock_guard names_lock(names_mutex_);
+    const NameHold hold(*this, name);
     struct stat facts {};
     if (fstatat(folder_.get(), FileName(name).c_str(), &facts, 0) != 0 ||
         facts.st_ino != inode) {
@@ -481,7 +503,7 @@ void BlobStore::SetAside(const std::string& name, ino_t inode,
 }
 
 absl::Status BlobStore::Erase(const std::string& name) {
-  std::lock_guard names_lock(names_mutex_);
+  const NameHold hold(*this, name);
   {
     std::lock_guard lock(mutex_);
     if (!entries_.contains(name)) {
@@ -496,7 +518,7 @@ absl::Status BlobStore::Erase(const std::string& name) {
     std::lock_guard lock(mutex_);
     if (const auto it = entries_.find(name); it != entries_.end()) Remove(it);
   }
-  return Sync(folder_.get(), PathOf(name));
+  return Flush(PathOf(name));
 }
 
 bool BlobStore::HasRoom(uint64_t bytes, size_t count) const {

@@ -27,6 +27,8 @@
 
 #include <sys/types.h>
 
+#include <atomic>
+#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -35,6 +37,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -48,6 +51,7 @@
 #include "server/store/blobs.h"
 #include "server/store/data_folder.h"
 #include "server/store/posix_file.h"
+#include "server/store/shared_flush.h"
 
 namespace geodesic::server {
 
@@ -168,12 +172,18 @@ class BlobStore final : public Blobs {
   };
   using Entries = std::map<std::string, Entry>;
   struct Found;
+  // Held while a name in the folder changes, until the change is on disk and in
+  // the index, so they agree. Taken before mutex_.
+  class NameHold;
 
   BlobStore(Options options, FileDescriptor folder, Quarantine& quarantine);
 
   std::string FileName(const std::string& name) const;
   std::string PathOf(const std::string& name) const;  // for messages
   void Warn(const std::string& line) const;
+
+  // The folder. `path`: whose change waits for it.
+  absl::Status Flush(const std::string& path);
 
   absl::Status Scan();
   absl::StatusOr<Found> Inspect(const std::string& name);
@@ -216,10 +226,12 @@ class BlobStore final : public Blobs {
   // before the other mutexes.
   std::mutex room_mutex_;
 
-  // Held while a name in the folder changes, until the change is on disk and in
-  // the index, so they agree. Taken before mutex_.
+  SharedFlush flush_;  // of the folder
+  std::atomic<uint64_t> next_temporary_ = 0;
+
   std::mutex names_mutex_;
-  uint64_t next_temporary_ = 0;  // guarded by names_mutex_
+  std::condition_variable name_is_free_;
+  std::set<std::string> held_names_;  // guarded by names_mutex_; see NameHold
 
   mutable std::mutex mutex_;
   // Guarded by mutex_:

@@ -172,7 +172,8 @@ class ClusterTest(unittest.TestCase):
                               pause=max(0.1, self.arguments.faults / 1000))
             watch = memory.MemoryWatch(self.replicas)
             breaker = faults.Faults(self.replicas, self.tier, with_disks,
-                                    self.arguments.set_clock, seed)
+                                    self.arguments.set_clock, seed,
+                                    self.arguments.kinds)
             begin = time.monotonic()
             try:
                 breaker.run(self.arguments.faults)
@@ -309,6 +310,8 @@ if __name__ == "__main__":
                         help="seconds of faults at random")
     parser.add_argument("--set-clock", action="store_true",
                         help="let the machine's clock jump, too (as root)")
+    parser.add_argument("--kinds", nargs="*", default=[],
+                        help="the faults that come: kill, drain, ...; else all")
     parser.add_argument("--seed", type=int, default=0,
                         help="of these; 0: another each time")
     parser.add_argument("tests", nargs="*", help="all, if none is named")

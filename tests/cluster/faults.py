@@ -49,9 +49,10 @@ class Faults:
         with_disks: whether they are within small_disks().
         with_clock: whether to set the clock, which is the whole machine's.
         seed: of the order and the times.
+        kinds: the names of the faults that come; all, if empty.
     """
 
-    def __init__(self, replicas, tier, with_disks, with_clock, seed):
+    def __init__(self, replicas, tier, with_disks, with_clock, seed, kinds=()):
         self._replicas = replicas
         self._tier = tier
         self._values = random.Random(seed)
@@ -61,6 +62,8 @@ class Faults:
             self._kinds.append(self.fill_disk)
         if with_clock:
             self._kinds.append(self.set_clock)
+        if kinds:
+            self._kinds = [getattr(self, name) for name in kinds]
         self.done = collections.Counter()
 
     def run(self, seconds):

@@ -175,6 +175,32 @@ TEST_F(HeldDiskTest, GraphsThatAreReadHoldUpNobodyElse) {
   EXPECT_TRUE(second.get().ok());
 }
 
+TEST_F(HeldDiskTest, LandmarksThatAreReadHoldUpNoPairs) {
+  const auto mesh = Upload(40).get();
+  ASSERT_TRUE(mesh.ok()) << mesh.status();
+  // So many that landmarks are worth their time; no two share an end.
+  PairQuery query{.mesh_digest = mesh->mesh.digest};
+  for (uint32_t v = 0; v < 800; ++v) {
+    query.pairs.push_back({VertexPoint{v}, VertexPoint{v + 800}});
+  }
+  const auto ask = [&] {
+    return Client(server_->address(), {.retry = false}).ComputePairs(query);
+  };
+  const auto before = ask();
+  ASSERT_TRUE(before.ok()) << before.status();
+  RestartWith(1, query.mesh_digest);
+  Hold();
+  const auto while_held = ask();
+  ASSERT_TRUE(while_held.ok()) << while_held.status();
+  AwaitHeld(1);
+  Release();
+  ASSERT_EQ(while_held->distances.size(), before->distances.size());
+  for (size_t i = 0; i < before->distances.size(); ++i) {
+    ASSERT_NEAR(while_held->distances[i], before->distances[i],
+                1e-10 * before->distances[i]);
+  }
+}
+
 TEST_F(HeldDiskTest, TheServerEndsAllTheSame) {
   Hold();
   auto upload = Upload(20);

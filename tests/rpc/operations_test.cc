@@ -215,6 +215,20 @@ TEST_F(PagesTest, HalfRequestsHoldNobodyUp) {
   }
 }
 
+TEST_F(PagesTest, OneAddressHoldsNoOtherUp) {
+  const int port = server_->metrics_port();
+  // More than the port takes of all.
+  std::vector<int> silent;
+  for (int i = 0; i < 600; ++i) {
+    silent.push_back(geodesic::test::ConnectAndSend(port, "", "127.0.0.2"));
+  }
+  EXPECT_THAT(HttpGet(port, "/livez"), StartsWith("HTTP/1.1 200 "));
+  // One that was taken is there still.
+  char byte;
+  EXPECT_EQ(recv(silent[0], &byte, 1, MSG_DONTWAIT), -1) << "was given up";
+  for (const int connection : silent) close(connection);
+}
+
 TEST_F(PagesTest, CancelledWorkIsCounted) {
   const std::string digest = Upload(test::Tetrahedron());
   const auto call = Open(digest, 0);

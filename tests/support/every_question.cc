@@ -1,6 +1,7 @@
 #include "tests/support/every_question.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "geodesic/sampling.h"
 #include "geodesic/solve.h"
 #include "geodesic/target_search.h"
+#include "geodesic/trace.h"
 #include "tests/support/queries.h"
 
 namespace geodesic::test {
@@ -59,6 +61,16 @@ absl::Status Search(const Mesh& mesh, uint32_t source, Checkpoint& checkpoint) {
   return search.Run(Valid(mesh, query), nullptr, checkpoint).status();
 }
 
+// Once around a large part of the mesh.
+absl::Status FollowLine(const Mesh& mesh, uint32_t source,
+                        Checkpoint& checkpoint) {
+  const double size = std::ldexp(1.0, mesh.scale_exponent());
+  const absl::StatusOr<LineTracer> tracer =
+      LineTracer::From(mesh, VertexPoint{source});
+  if (!tracer.ok()) return tracer.status();
+  return tracer->Trace(0.0, 100 * size, checkpoint).status();
+}
+
 absl::Status Approximate(const Mesh& mesh, uint32_t source,
                          const MethodChoice& choice, Checkpoint& checkpoint) {
   auto method = PrepareMethod(mesh, choice, 1, checkpoint);
@@ -99,6 +111,7 @@ std::vector<AnyQuestion> EveryQuestion(bool algorithms) {
         return NearestSources(mesh, query, field, checkpoint).status();
       }));
   all.push_back({"search", Search});
+  all.push_back({"trace", FollowLine});
   all.push_back({"isolines",
                  [](const Mesh& mesh, uint32_t source, Checkpoint& checkpoint) {
                    IsolineOptions isolines;

@@ -14,12 +14,19 @@
 
 namespace geodesic::test {
 
-// A connection to a port of this machine over which `bytes` were sent.
+// A connection to a port of this machine over which `bytes` were sent; `from`:
+// the address of loopback that it comes from.
 // Errors: throws std::runtime_error if nobody takes them.
-inline int ConnectAndSend(int port, const std::string& bytes) {
+inline int ConnectAndSend(int port, const std::string& bytes,
+                          const char* from = "127.0.0.1") {
   const int connection = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
   sockaddr_in address = {};
   address.sin_family = AF_INET;
+  inet_pton(AF_INET, from, &address.sin_addr);
+  if (bind(connection, reinterpret_cast<const sockaddr*>(&address),
+           sizeof(address)) != 0) {
+    throw std::runtime_error("no connection comes from " + std::string(from));
+  }
   address.sin_port = htons(static_cast<uint16_t>(port));
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   if (connect(connection, reinterpret_cast<const sockaddr*>(&address),

@@ -20,11 +20,11 @@ constexpr double kMargin = 1.25;
 // The larger, the fewer cubes a search looks into, and the more lies in them.
 constexpr double kReachesPerCube = 4;
 
+}  // namespace
+
 double Distance(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
-
-}  // namespace
 
 CloseEdges::CloseEdges(std::span<const Point> positions,
                        std::span<const VertexPair> edges,

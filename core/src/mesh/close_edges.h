@@ -15,6 +15,8 @@
 
 namespace geodesic {
 
+double Distance(const Point& a, const Point& b);
+
 // How far apart the ends of two edges may be.
 struct Closeness {
   double distance = 0;

@@ -128,13 +128,13 @@ class Seams {
   absl::Status JoinRings(double least,
                          absl::FunctionRef<bool(uint32_t, uint32_t)> are_one) {
     absl::flat_hash_map<uint32_t, uint32_t> degrees;  // by the number of a set
-    std::vector<VertexPair> sides;
+    absl::flat_hash_set<std::pair<uint32_t, uint32_t>> sides;
     for (uint32_t i = 0; i < edge_count(); ++i) {
       const auto& [low, high] = boundary_.edges()[i];
       if (edges_.Find(i) != i || !are_one(low, high)) continue;
       const uint32_t from = SetOf(low), to = SetOf(high);
       if (from == to) continue;
-      sides.push_back({low, high});
+      sides.emplace(low, high);
       ++degrees[from];
       ++degrees[to];
     }
@@ -145,16 +145,12 @@ class Seams {
     for (const auto& [set, degree] : degrees) {
       if (degree != 2) open.insert(rings.Find(set));
     }
-    std::erase_if(sides, [&](const VertexPair& side) {
-      return open.contains(rings.Find(SetOf(side.low)));
+    absl::erase_if(sides, [&](const auto& side) {
+      return open.contains(rings.Find(SetOf(side.first)));
     });
     if (sides.empty()) return absl::OkStatus();
-    absl::flat_hash_set<std::pair<uint32_t, uint32_t>> wanted;
-    for (const auto& [low, high] : sides) wanted.emplace(low, high);
     const auto is_long = [&](uint32_t a, uint32_t b) {
-      const Point& p = soup_.positions[a];
-      const Point& q = soup_.positions[b];
-      return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) > least;
+      return Distance(soup_.positions[a], soup_.positions[b]) > least;
     };
     for (uint32_t face = 0; face < soup_.triangles.size(); ++face) {
       if (absl::Status status = Poll(face); !status.ok()) return status;
@@ -162,7 +158,7 @@ class Seams {
       for (int corner = 0; corner < 3; ++corner) {
         const uint32_t a = corners[corner], b = corners[(corner + 1) % 3],
                        c = corners[(corner + 2) % 3];
-        if (wanted.contains(std::minmax(a, b)) && is_long(b, c) &&
+        if (sides.contains(std::minmax(a, b)) && is_long(b, c) &&
             is_long(c, a)) {
           JoinVertices(a, b);
         }

@@ -16,14 +16,12 @@
 #include "mesh/disjoint_sets.h"
 #include "mesh/locality.h"
 #include "mesh/touching_edges.h"
+#include "polygons/pace.h"
 #include "surface/surface_location.h"
 #include "tolerances.h"
 
 namespace geodesic {
 namespace {
-
-// Some milliseconds.
-constexpr uint32_t kFacesBetweenPolls = 1 << 16;
 
 // Whether faces can be turned over so that all agree. O(F).
 bool IsOrientable(const Mesh& mesh) {
@@ -119,13 +117,11 @@ class Survey {
       : mesh_(mesh), summary_(summary), pieces_(mesh.half_edge_count() / 3) {}
 
   absl::Status Run(Checkpoint& checkpoint) {
+    Pace pace(&checkpoint);
     double anisotropy_sum = 0;
     const uint32_t faces = mesh_.half_edge_count() / 3;
     for (uint32_t f = 0; f < faces; ++f) {
-      if (f % kFacesBetweenPolls == 0) {
-        absl::Status status = checkpoint.Poll({});
-        if (!status.ok()) return status;
-      }
+      if (!pace.Goes()) return pace.status();
       anisotropy_sum += MeasureFace(f);
       for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) CountSide(h);
     }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "absl/container/flat_hash_map.h"
+#include "polygons/pace.h"
 #include "surface/surface_location.h"
 #include "tolerances.h"
 
@@ -21,14 +22,8 @@ constexpr uint32_t kNone = 0xffffffffu;
 constexpr uint32_t kMostTogether = 64;
 constexpr uint32_t kMostNear = 512;
 
-// Some milliseconds.
-constexpr uint32_t kEdgesBetweenPolls = 256;
-constexpr uint32_t kInsertedBetweenPolls = 8192;
-
-absl::Status PollAt(uint32_t i, Checkpoint& checkpoint) {
-  return i % kInsertedBetweenPolls == 0 ? checkpoint.Poll({})
-                                        : absl::OkStatus();
-}
+// Microseconds, about, that looking for what is near an edge takes.
+constexpr uint32_t kStepsAnEdge = 16;
 
 // Edges that have no more than this part of the shorter one in common touch in
 // a corner.
@@ -106,11 +101,9 @@ class SegmentGrids {
       : segments_(segments) {}
 
   // Call once.
-  absl::Status Fill(Checkpoint& checkpoint) {
+  absl::Status Fill(Pace& pace) {
     for (uint32_t i = 0; i < segments_.size(); ++i) {
-      if (absl::Status status = PollAt(i, checkpoint); !status.ok()) {
-        return status;
-      }
+      if (!pace.Goes()) return pace.status();
       if (segments_[i].length > 0) Insert(i);
     }
     return absl::OkStatus();
@@ -194,11 +187,9 @@ class Places {
   explicit Places(const Mesh& mesh) : mesh_(mesh) {}
 
   // Call once.
-  absl::Status Fill(std::span<const HalfEdge> edges, Checkpoint& checkpoint) {
+  absl::Status Fill(std::span<const HalfEdge> edges, Pace& pace) {
     for (uint32_t i = 0; i < edges.size(); ++i) {
-      if (absl::Status status = PollAt(i, checkpoint); !status.ok()) {
-        return status;
-      }
+      if (!pace.Goes()) return pace.status();
       for (const uint32_t v : {mesh_.From(edges[i]), mesh_.To(edges[i])}) {
         vertices_.try_emplace(mesh_.positions()[v]);
       }
@@ -210,9 +201,7 @@ class Places {
     };
     for (const auto& [point, unused] : vertices_) mark(point) = true;
     for (uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
-      if (absl::Status status = PollAt(v, checkpoint); !status.ok()) {
-        return status;
-      }
+      if (!pace.Goes()) return pace.status();
       const Point& point = mesh_.positions()[v];
       if (!mark(point) || mesh_.Outgoing(v).empty()) continue;
       const auto found = vertices_.find(point);
@@ -264,17 +253,16 @@ absl::StatusOr<uint64_t> CountTouchingEdges(const Mesh& mesh,
   std::vector<Segment> segments;
   segments.reserve(boundary.size());
   for (const HalfEdge h : boundary) segments.push_back(SegmentOf(mesh, h));
+  Pace pace(&checkpoint);
   SegmentGrids grids(segments);
-  absl::Status status = grids.Fill(checkpoint);
+  absl::Status status = grids.Fill(pace);
   if (!status.ok()) return status;
   Places places(mesh);
-  status = places.Fill(boundary, checkpoint);
+  status = places.Fill(boundary, pace);
   if (!status.ok()) return status;
   std::vector<bool> is_touching(segments.size());
   for (uint32_t i = 0; i < segments.size(); ++i) {
-    if (i % kEdgesBetweenPolls == 0) {
-      if (status = checkpoint.Poll({}); !status.ok()) return status;
-    }
+    if (!pace.Goes(kStepsAnEdge)) return pace.status();
     if (!(segments[i].length > 0)) continue;
     if (places.HasInnerEdge(boundary[i])) is_touching[i] = true;
     grids.VisitNear(segments[i], [&](uint32_t other) {

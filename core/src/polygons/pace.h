@@ -15,9 +15,10 @@ class Pace {
   // `checkpoint` may be null: then nothing stops the work.
   explicit Pace(Checkpoint* checkpoint) : checkpoint_(checkpoint) {}
 
-  // Whether to go on after another step, of up to a microsecond.
-  bool Goes() {
-    if (++steps_ < kBetweenPolls) return true;
+  // Whether to go on after so many more steps, each of up to a microsecond.
+  bool Goes(uint32_t steps = 1) {
+    steps_ += steps;
+    if (steps_ < kBetweenPolls) return true;
     // A work that was stopped stays so.
     if (checkpoint_ != nullptr && status_.ok()) {
       status_ = checkpoint_->Poll({});

@@ -49,12 +49,8 @@ class SoupBuilder {
   void BeginFace() { corners_ = 0; }
   bool AddCorner(uint32_t vertex) {
     if (corners_ >= 2) {
-      if (soup_.triangles.size() >= triangles_.next &&
-          !Pause(soup_.triangles.size(), triangles_)) {
-        return false;
-      }
       if (corners_ > 2) Join();
-      soup_.triangles.push_back({first_, previous_, vertex});
+      if (!AddTriangle({first_, previous_, vertex})) return false;
     } else if (corners_ == 0) {
       first_ = vertex;
     }

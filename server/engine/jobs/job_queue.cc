@@ -16,15 +16,11 @@ constexpr auto kStoreLane = static_cast<size_t>(JobPriority::kStore);
 void JobQueue::Push(uint64_t number, WaitingJob waiting) {
   const Job& job = jobs_.emplace(number, std::move(waiting)).first->second.job;
   if (!job.is_continuation) Hold(job.client);
-  const auto [account, is_new] = accounts_.try_emplace(job.client);
-  if (is_new) {
-    account->second.used = Duration::max();
-    for (const auto& [client, other] : accounts_) {
-      account->second.used = std::min(account->second.used, other.used);
-    }
-    if (accounts_.size() == 1) account->second.used = Duration{0};
-  }
-  ++account->second.jobs;
+  const auto used = [](const auto& account) { return account.second.used; };
+  const auto least = std::ranges::min_element(accounts_, {}, used);
+  const Account newcomer = {.used = least == accounts_.end() ? Duration{0}
+                                                             : used(*least)};
+  ++accounts_.try_emplace(job.client, newcomer).first->second.jobs;
   Enter(number, job);
 }
 
@@ -84,7 +80,7 @@ WaitingJob JobQueue::Start() {
   const uint64_t number = *first->numbers.begin();
   // The client's line goes to the end, and is dropped with its last job.
   lane.turns.splice(lane.turns.end(), lane.turns, first);
-  WaitingJob started = TakeOut(number);
+  WaitingJob started = StartOutOfTurn(number);
 
   bool passed = false;
   for (size_t other = next + 1; other < kStoreLane; ++other) {
@@ -100,14 +96,12 @@ WaitingJob JobQueue::Start() {
 
 std::optional<WaitingJob> JobQueue::Remove(uint64_t number) {
   if (!jobs_.contains(number)) return std::nullopt;
-  WaitingJob waiting = TakeOut(number);
+  WaitingJob waiting = StartOutOfTurn(number);
   Close(waiting.job.client);
   return waiting;
 }
 
-WaitingJob JobQueue::StartOutOfTurn(uint64_t number) { return TakeOut(number); }
-
-WaitingJob JobQueue::TakeOut(uint64_t number) {
+WaitingJob JobQueue::StartOutOfTurn(uint64_t number) {
   const auto it = jobs_.find(number);
   WaitingJob waiting = std::move(it->second);
   jobs_.erase(it);

@@ -165,7 +165,6 @@ class JobQueue {
   size_t NextLane() const;
   // The line in front. REQUIRES: there is one. O(clients).
   std::list<Line>::const_iterator First(const Lane& lane) const;
-  WaitingJob TakeOut(uint64_t number);
   void Close(const std::string& client);
   void Enter(uint64_t number, const Job& job);
   void Leave(uint64_t number, const Job& job);

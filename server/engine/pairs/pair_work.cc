@@ -122,8 +122,11 @@ absl::Status PairWork::Search(const std::vector<uint32_t>& numbers,
   SumOfSearches sum(checkpoint);
   absl::Status status;
   if (landmarks > 0 && !makes_landmarks.exchange(true)) {
-    status = searches.landmarks().MakeNow(mesh, landmarks, checkpoint);
-    if (!status.ok()) return status;
+    const absl::StatusOr<bool> are_made =
+        searches.landmarks().MakeNow(mesh, landmarks, checkpoint);
+    if (!are_made.ok()) return are_made.status();
+    // A later row asks again.
+    makes_landmarks = *are_made;
   }
   const SearchMeans means = searches.MeansFor(mesh, algorithm);
   for (const uint32_t number : numbers) {

@@ -14,6 +14,8 @@ namespace {
 
 // At most this many meshes wait; a mesh that found no place asks again.
 constexpr size_t kMaxTurns = 64;
+// So many are remembered for which the disk had none.
+constexpr size_t kMaxLooked = 1024;
 
 // Questions that come one after the other are not told apart from one that
 // goes on: a path that follows a cursor is asked for some 30 times a second.
@@ -159,7 +161,7 @@ absl::StatusOr<bool> LandmarkMaker::Step(const MeshHandle& mesh,
                                          const std::stop_token& stop) {
   if (mesh == nullptr) return false;
   if (!work_.landmarks) {
-    absl::StatusOr<Work> begun = Begin(*mesh);
+    absl::StatusOr<Work> begun = Begin(*mesh, /*may_read=*/true);
     if (!begun.ok()) return begun.status();
     work_ = *std::move(begun);
   }
@@ -179,20 +181,54 @@ absl::StatusOr<bool> LandmarkMaker::Step(const MeshHandle& mesh,
   return false;
 }
 
-absl::Status LandmarkMaker::MakeNow(const MeshHandle& mesh, uint32_t count,
-                                    Checkpoint& checkpoint) {
-  if (HasEnough(meshes_.landmarks().Find(mesh->digest), count)) {
-    return absl::OkStatus();
-  }
-  absl::StatusOr<Work> work = Begin(*mesh);
+absl::StatusOr<bool> LandmarkMaker::MakeNow(const MeshHandle& mesh,
+                                            uint32_t count,
+                                            Checkpoint& checkpoint) {
+  if (HasEnough(Present(*mesh), count)) return true;
+  if (files_ != nullptr && !HaveLooked(mesh)) return false;
+  absl::StatusOr<Work> work = Begin(*mesh, /*may_read=*/false);
   // Questions are answered without them.
-  if (!work.ok()) return absl::OkStatus();
+  if (!work.ok()) return true;
   while (!work->landmarks->HasEnough(count)) {
     absl::Status status = AddNext(*mesh, checkpoint, *work->landmarks);
     if (!status.ok()) return status;
   }
   Publish(*mesh, *std::move(work));
-  return absl::OkStatus();
+  std::lock_guard lock(mutex_);
+  looked_.erase(mesh->digest);
+  return true;
+}
+
+bool LandmarkMaker::HaveLooked(const MeshHandle& mesh) {
+  {
+    std::lock_guard lock(mutex_);
+    if (looked_.size() >= kMaxLooked) {
+      std::erase_if(looked_, [](const auto& look) { return look.second; });
+    }
+    const auto [look, is_new] = looked_.try_emplace(mesh->digest, false);
+    if (!is_new) return look->second;
+  }
+  scheduler_.Store([this, digest = mesh->digest, mesh = std::weak_ptr(mesh)] {
+    const bool is_there = Guarded("read landmarks", [&] {
+                            return Load(mesh.lock());
+                          }).value_or(false);
+    std::lock_guard lock(mutex_);
+    if (is_there) {
+      looked_.erase(digest);
+    } else {
+      looked_[digest] = true;
+    }
+  });
+  return false;
+}
+
+absl::StatusOr<bool> LandmarkMaker::Load(const MeshHandle& mesh) {
+  if (mesh == nullptr) return true;
+  absl::StatusOr<Work> work = Begin(*mesh, /*may_read=*/true);
+  if (!work.ok()) return work.status();
+  if (!work->is_stored) return false;
+  Publish(*mesh, *std::move(work));
+  return true;
 }
 
 uint64_t LandmarkMaker::PlannedBytes(const Mesh& mesh) {
@@ -203,7 +239,7 @@ uint64_t LandmarkMaker::PlannedBytes(const Mesh& mesh) {
 }
 
 absl::StatusOr<LandmarkMaker::Work> LandmarkMaker::Begin(
-    const ResidentMesh& mesh) {
+    const ResidentMesh& mesh, bool may_read) {
   // Those of a turn that was broken off.
   const LandmarksHandle present = meshes_.landmarks().Find(mesh.digest);
   absl::StatusOr<ByteReservation> room =
@@ -214,7 +250,7 @@ absl::StatusOr<LandmarkMaker::Work> LandmarkMaker::Begin(
     work.landmarks = *present;
     return work;
   }
-  if (files_ != nullptr) {
+  if (files_ != nullptr && may_read) {
     absl::StatusOr<Landmarks> stored = files_->Load(mesh.digest, *mesh.mesh);
     if (stored.ok()) {
       loaded_ += stored->count();

@@ -16,6 +16,7 @@
 #include <atomic>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -60,9 +61,10 @@ class LandmarkMaker {
 
   // Makes what is missing of `count` landmarks, or none if there is no room for
   // them, on the calling thread: for a question that is long enough to pay for
-  // them. Takes PlannedBytes. Errors: the checkpoint's.
-  absl::Status MakeNow(const MeshHandle& mesh, uint32_t count,
-                       Checkpoint& checkpoint);
+  // them. Takes PlannedBytes. False: first the disk is looked at, on a thread
+  // of its own; call again later. Errors: the checkpoint's.
+  absl::StatusOr<bool> MakeNow(const MeshHandle& mesh, uint32_t count,
+                               Checkpoint& checkpoint);
 
   // Of the solver's memory.
   static uint64_t PlannedBytes(const Mesh& mesh);
@@ -96,9 +98,15 @@ class LandmarkMaker {
   // cannot be made now.
   absl::StatusOr<bool> Step(const MeshHandle& mesh,
                             const std::stop_token& stop);
-  // Takes those there are, in memory or on disk, or begins with none. Errors:
-  // there is no room.
-  absl::StatusOr<Work> Begin(const ResidentMesh& mesh);
+  // Takes those there are, in memory or, if it `may_read`, on disk, or begins
+  // with none. Errors: there is no room.
+  absl::StatusOr<Work> Begin(const ResidentMesh& mesh, bool may_read);
+  // Whether the disk was looked at for landmarks of the mesh and had none; has
+  // it done if it was not.
+  bool HaveLooked(const MeshHandle& mesh);
+  // Publishes landmarks that the disk has; false if it has none. Errors: as
+  // Begin.
+  absl::StatusOr<bool> Load(const MeshHandle& mesh);
   // Computes the next landmark. When their number has doubled, questions get a
   // copy; when they are complete, the disk. Errors: the checkpoint's.
   absl::Status AddNext(const ResidentMesh& mesh, Checkpoint& checkpoint,
@@ -122,6 +130,9 @@ class LandmarkMaker {
   // Guarded by mutex_: the meshes that wait; while there are any, a job works
   // on the first.
   std::deque<Turn> turns_;
+  // Guarded by mutex_: the meshes that the disk is looked at for, and whether
+  // that is over.
+  std::map<std::string, bool> looked_;
 
   Work work_;  // the job's
 };

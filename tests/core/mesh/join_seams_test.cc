@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -60,35 +59,6 @@ TriangleSoup TakenApart(const TriangleSoup& soup) {
   return apart;
 }
 
-// A sphere by meridians, of which the last repeats the first, as for textures:
-// its places are computed anew, so they differ by rounding.
-template <typename Number>
-TriangleSoup SlitSphere(int around, int rows) {
-  TriangleSoup soup;
-  const auto pi = static_cast<Number>(std::numbers::pi);
-  for (int row = 0; row <= rows; ++row) {
-    for (int column = 0; column <= around; ++column) {
-      const Number theta = pi * static_cast<Number>(row) / rows;
-      const Number phi = 2 * pi * static_cast<Number>(column) / around;
-      soup.positions.push_back({std::sin(theta) * std::cos(phi),
-                                std::sin(theta) * std::sin(phi),
-                                std::cos(theta)});
-    }
-  }
-  const auto at = [&](int row, int column) {
-    return static_cast<uint32_t>(row * (around + 1) + column);
-  };
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < around; ++column) {
-      const uint32_t a = at(row, column), b = at(row + 1, column),
-                     c = at(row + 1, column + 1), d = at(row, column + 1);
-      if (row + 1 < rows) soup.triangles.push_back({a, b, c});
-      if (row > 0) soup.triangles.push_back({a, c, d});
-    }
-  }
-  return soup;
-}
-
 MeshSummary SummaryOf(TriangleSoup soup) {
   const auto mesh = Mesh::Build(std::move(soup));
   EXPECT_TRUE(mesh.ok()) << mesh.status();
@@ -123,38 +93,6 @@ TEST(JoinSeamsTest, ACubeInTwelvePiecesIsClosed) {
   EXPECT_THAT(Notes(summary), ElementsAre("joined 18 seam edges"));
 }
 
-TEST(JoinSeamsTest, ASlitWhoseSidesWereComputedTwiceIsClosed) {
-  for (const bool is_single : {false, true}) {
-    TriangleSoup soup =
-        is_single ? SlitSphere<float>(24, 12) : SlitSphere<double>(24, 12);
-    EXPECT_NE(soup.positions[25 + 24], soup.positions[25]);
-    soup = Joined(std::move(soup));
-    // Ten edges between eleven rows, and two at the poles, where each column
-    // has a vertex: those meet along their edges.
-    const MeshSummary summary = SummaryOf(soup);
-    EXPECT_EQ(summary.boundary_edges, 0u) << is_single;
-    EXPECT_EQ(summary.genus, 0) << is_single;
-    EXPECT_EQ(summary.close_edges, 0u) << is_single;
-  }
-}
-
-TEST(JoinSeamsTest, ASlitIsClosedWhateverDigitsAreWritten) {
-  for (const char* const format :
-       {"%.4f", "%.6f", "%g", "%.9g", "%.12f", "%.17g"}) {
-    TriangleSoup soup = SlitSphere<float>(24, 12);
-    for (Point& p : soup.positions) {
-      for (double& x : p) {
-        char text[64];
-        // Away from 0, so that digits are rounded apart.
-        const auto moved = static_cast<float>(x) * 12.3456789f + 0.7654321f;
-        std::snprintf(text, sizeof(text), format, static_cast<double>(moved));
-        x = std::stod(text);
-      }
-    }
-    EXPECT_EQ(SummaryOf(Joined(std::move(soup))).boundary_edges, 0u) << format;
-  }
-}
-
 TEST(JoinSeamsTest, MoreThanRoundingIsToldAndNotJoined) {
   // Two squares of side 1 with a gap of 0.001.
   const TriangleSoup apart = {
@@ -181,52 +119,6 @@ TEST(JoinSeamsTest, MoreThanRoundingIsToldAndNotJoined) {
   EXPECT_THAT(Notes(SummaryOf(joined)), ElementsAre("joined 1 seam edge"));
   EXPECT_THAT(Joined(apart, {Welding::Kind::kWithin, 0.0009}).reading.joined,
               IsEmpty());
-}
-
-// What somebody has chosen is no rounding, however few its digits.
-TEST(JoinSeamsTest, ChosenGapsStayOpen) {
-  for (const double gap : {0.2, 0.1, 0.01, 1e-3, 1e-5, 1e-9, 4e-9}) {
-    const TriangleSoup sheets = {.positions = {{0, 0, 0},
-                                               {1, 0, 0},
-                                               {0, 1, 0},
-                                               {0, 0, gap},
-                                               {1, 0, gap},
-                                               {0, 1, gap}},
-                                 .triangles = {{0, 1, 2}, {3, 4, 5}}};
-    EXPECT_TRUE(Joined(sheets).reading.is_plain()) << gap;
-    // A slit from the middle of a square's side to near the other one.
-    const TriangleSoup slit = {
-        .positions = {{0, 0, 0},
-                      {10, 0, 0},
-                      {10, 10, 0},
-                      {5 + gap, 10, 0},
-                      {5, 1, 0},
-                      {5 - gap, 10, 0},
-                      {0, 10, 0}},
-        .triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {4, 5, 6}, {0, 4, 6}}};
-    EXPECT_TRUE(Joined(slit).reading.is_plain()) << gap;
-  }
-}
-
-TEST(JoinSeamsTest, VerticesFarOffDoNotRoundOthers) {
-  // Two squares, 0.1 apart, and a vertex or a face far off.
-  for (const bool is_face : {false, true}) {
-    TriangleSoup soup{
-        .positions = {{0, 0, 0},
-                      {1, 0, 0},
-                      {1, 1, 0},
-                      {0, 1, 0},
-                      {1.1, 0, 0},
-                      {1.1, 1, 0},
-                      {2, 0, 0},
-                      {2, 1, 0},
-                      {1e16, 0, 0},
-                      {1e16, 1e15, 0},
-                      {1e16, 0, 1e15}},
-        .triangles = {{0, 1, 2}, {0, 2, 3}, {4, 6, 7}, {4, 7, 5}}};
-    if (is_face) soup.triangles.push_back({8, 9, 10});
-    EXPECT_EQ(Joined(soup).reading.seam_edges, 0u) << is_face;
-  }
 }
 
 TEST(JoinSeamsTest, NothingIsJoinedIfNotWanted) {

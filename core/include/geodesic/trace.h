@@ -1,0 +1,99 @@
+// Straightest geodesics: lines that start at a place in some direction and run
+// straight on.
+//
+//   absl::StatusOr<LineTracer> tracer = LineTracer::From(mesh, VertexPoint{0});
+//   absl::StatusOr<TracedLine> line = tracer->Trace(1.5, 10.0, checkpoint);
+
+#ifndef GEODESIC_TRACE_H_
+#define GEODESIC_TRACE_H_
+
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "geodesic/checkpoint.h"
+#include "geodesic/mesh.h"
+#include "geodesic/surface_point.h"
+
+namespace geodesic {
+
+class Compass;
+
+// The first direction of a line: an angle in the map that ComputeLogMap makes
+// around its place, or a vector in space, of any length: the line then starts
+// in the direction of the surface that makes the least angle with it.
+using LineDirection = std::variant<double, Point>;
+
+// Why a line ends.
+enum class TraceEnd {
+  kLength,    // it is as long as was asked for
+  kBoundary,  // it comes to a boundary
+  // It comes to where there is no straight on: an edge of three faces or more,
+  // a vertex where surfaces touch or faces disagree in orientation, a face
+  // without area.
+  kSingular,
+};
+
+// "length", "boundary" or "singular".
+std::string_view TraceEndName(TraceEnd end);
+
+// A line that runs straight from each point to the next, through the inside of
+// one face or along one edge.
+struct TracedLine {
+  // Where it starts, where it crosses edges and vertices, and where it ends.
+  std::vector<SurfacePoint> points;
+  // The same points in space, in the unit of the mesh's file.
+  std::vector<Point> positions;
+  double length = 0;  // in that unit
+  TraceEnd end = TraceEnd::kLength;
+};
+
+// Lines of more points are refused: one that runs around a closed surface has
+// no end.
+inline constexpr uint64_t kMostTracedPoints = 10'000'000;
+
+// Follows lines from one place. Thread-safe.
+class LineTracer {
+ public:
+  // `mesh` outlives the object. O(faces around the place).
+  // Errors: INVALID_ARGUMENT, with the path "source": a place that is not on
+  // the mesh, or around which the surface is not one oriented disk or
+  // half-disk.
+  static absl::StatusOr<LineTracer> From(const Mesh& mesh,
+                                         const SurfacePoint& place);
+  LineTracer(LineTracer&&) noexcept;
+  LineTracer& operator=(LineTracer&&) noexcept;
+  ~LineTracer();
+
+  // Follows a line for `length`, in the unit of the mesh's file, or to where it
+  // ends before. It crosses edges straight when the faces on both sides are
+  // laid into one plane, and passes vertices with equal angles on its left and
+  // right (Polthier and Schmies, "Straightest geodesics on polyhedral
+  // surfaces", 1998). Where no other path to its end is shorter, `length` is
+  // the distance, and the log map of the place maps the end to this direction
+  // and length.
+  //
+  // O(edges crossed + faces at vertices passed). Polls the checkpoint first and
+  // then at least every few thousand of these.
+  // Errors: INVALID_ARGUMENT, with the path "direction" or "length": an angle
+  // that leads out of the surface, a vector at right angles to it or away from
+  // it, a length that is negative or NaN, more than kMostTracedPoints; the
+  // checkpoint's.
+  absl::StatusOr<TracedLine> Trace(const LineDirection& direction,
+                                   double length, Checkpoint& checkpoint) const;
+
+ private:
+  LineTracer(const Mesh& mesh, const SurfacePoint& place,
+             std::unique_ptr<const Compass> compass);
+
+  const Mesh* mesh_;
+  SurfacePoint place_;
+  std::unique_ptr<const Compass> compass_;
+};
+
+}  // namespace geodesic
+
+#endif  // GEODESIC_TRACE_H_
