@@ -191,6 +191,38 @@ absl::StatusOr<SampleAnswer> Client::SampleFarthestPoints(
   return answer;
 }
 
+absl::StatusOr<LineAnswer> Client::TraceLines(
+    const LineQuery& query, const CallOptions& options,
+    const CountProgressCallback& progress) {
+  LineAnswer answer;
+  std::vector<double> lengths;
+  std::vector<uint8_t> ends;
+  AnswerReader reader;
+  reader.Collect("length", {kAny}, &lengths);
+  reader.Collect("end", {kAny}, &ends);
+  Lines lines(kAny, &reader);
+  const size_t directions =
+      std::visit([](const auto& all) { return all.size(); }, query.directions);
+  const uint64_t count =
+      std::max({query.sources.size(), directions, query.lengths.size()});
+  absl::Status status = connection_->Ask(
+      &Questions::TraceLines, MakeRequest<v1::TraceLinesRequest>(query),
+      options, ReportTo(progress, count), &reader, &answer.info);
+  if (!status.ok()) return status;
+  status = lines.Take([&](Polyline line) -> absl::Status {
+    const size_t i = answer.lines.size();
+    if (ends[i] > static_cast<uint8_t>(LineEnd::kSingular)) {
+      return absl::DataLossError(
+          absl::StrCat("the server sent a line with end ", ends[i]));
+    }
+    answer.lines.push_back(
+        {std::move(line), lengths[i], static_cast<LineEnd>(ends[i])});
+    return absl::OkStatus();
+  });
+  if (!status.ok()) return status;
+  return answer;
+}
+
 absl::StatusOr<LogMap> Client::ComputeLogMap(
     const LogMapQuery& query, const CallOptions& options,
     const SolveProgressCallback& progress) {

@@ -75,17 +75,37 @@ void AddTargets(std::span<const SurfacePoint> targets, Request& request) {
 }
 
 // The same of sources, where the question has a short form.
-template <typename Request>
-void AddSources(std::span<const Source> sources, Request& request) {
+template <typename Request, typename Place>
+void AddSources(const std::vector<Place>& sources, Request& request) {
   if constexpr (requires { request.vertex_sources(); }) {
-    const std::vector<uint32_t> vertices = PackedVertices(sources);
+    const std::vector<uint32_t> vertices =
+        PackedVertices(std::span<const Place>(sources));
     request.mutable_vertex_sources()->Add(vertices.begin(), vertices.end());
     if (!vertices.empty()) return;
   }
-  for (const Source& source : sources) {
+  for (const Place& source : sources) {
     *request.add_sources() = codec::ToProto(source);
   }
 }
+
+// Puts the directions of lines, of one kind, into a request.
+struct Directions {
+  void operator()(const std::vector<double>& angles) const {
+    request.mutable_angles()->Add(angles.begin(), angles.end());
+  }
+  void operator()(const std::vector<Point>& vectors) const {
+    for (const Point& vector : vectors) {
+      request.mutable_vectors()->Add(vector.begin(), vector.end());
+    }
+  }
+  void operator()(const std::vector<SurfacePoint>& towards) const {
+    for (const SurfacePoint& place : towards) {
+      *request.add_towards() = codec::ToProto(place);
+    }
+  }
+
+  v1::TraceLinesRequest& request;
+};
 
 // A request with the members of `query`, but for pairs.
 // Errors: INVALID_ARGUMENT for an unknown algorithm.
@@ -106,7 +126,7 @@ absl::StatusOr<Request> MakeRequest(const Query& query) {
     if (query.tolerance != 0) request.set_tolerance(query.tolerance);
   }
   if constexpr (requires { query.sources; }) {
-    AddSources<Request>(query.sources, request);
+    AddSources(query.sources, request);
   }
   if constexpr (requires { query.targets; }) {
     AddTargets<Request>(query.targets, request);
@@ -124,6 +144,10 @@ absl::StatusOr<Request> MakeRequest(const Query& query) {
   if constexpr (requires { query.levels; }) {
     request.mutable_levels()->Add(query.levels.begin(), query.levels.end());
     if (query.chord_error != 0) request.set_chord_error(query.chord_error);
+  }
+  if constexpr (requires { query.directions; }) {
+    std::visit(Directions{request}, query.directions);
+    request.mutable_lengths()->Add(query.lengths.begin(), query.lengths.end());
   }
   if constexpr (requires { query.paths; }) request.set_paths(query.paths);
   if constexpr (requires { query.sparse; }) {

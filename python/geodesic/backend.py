@@ -105,6 +105,18 @@ class IsolineAnswer:
     points: np.ndarray
 
 
+# By their numbers in answers.
+LINE_ENDS = ("length", "boundary", "singular")
+
+
+@dataclasses.dataclass
+class LineAnswer:
+    places: Places
+    points: np.ndarray
+    length: float
+    end: str
+
+
 class Backend(Protocol):
     """Arrays have the shapes and types of geodesic.Mesh's methods. ``radius`` is
     +inf where there is none."""
@@ -155,6 +167,12 @@ class Backend(Protocol):
 
     def isolines(self, sources: Sources, levels: List[float],
                  chord_error: float, options: Options) -> List[IsolineAnswer]: ...
+
+    def trace(self, sources: Places, directions: np.ndarray,
+              lengths: np.ndarray, options: Options) -> List[LineAnswer]:
+        """`directions`: (N,) angles or (N, 3) vectors. Of each there is one for all
+        lines, or one for each."""
+        ...
 
     def fill_matrix(self, sources: Sources, targets: Optional[Places],
                     radius: float, out: np.ndarray,

@@ -12,7 +12,7 @@ import numpy as np
 
 from . import _core
 from .approximate import Approximate
-from .backend import IsolineAnswer, Options, PathAnswer
+from .backend import IsolineAnswer, LineAnswer, Options, PathAnswer
 from .digest import Reading, mesh_digest
 from .errors import InvalidArgument
 from .places import Places, Sources, empty
@@ -201,6 +201,15 @@ class LocalBackend:
         return [
             IsolineAnswer(level, closed, _places(places), points)
             for level, closed, places, points in found
+        ]
+
+    def trace(self, sources: Places, directions: np.ndarray,
+              lengths: np.ndarray, options: Options) -> List[LineAnswer]:
+        found = _core.trace(self._mesh, _core_places(sources), directions,
+                            lengths.tolist(), options.threads, options.progress)
+        return [
+            LineAnswer(_places(places), points, length, end)
+            for places, points, length, end in found
         ]
 
     def fill_matrix(self, sources: Sources, targets: Optional[Places],

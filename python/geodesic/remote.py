@@ -14,7 +14,8 @@ import numpy as np
 
 from . import _core
 from .answers import Answer, read
-from .backend import IsolineAnswer, Options, PathAnswer
+from .backend import (LINE_ENDS, IsolineAnswer, LineAnswer, Options,
+                      PathAnswer)
 from .calls import Caller, Patience
 from .digest import PLAIN, Reading
 from .errors import InvalidArgument, NotFound
@@ -24,7 +25,8 @@ from .results import Field
 from .v1 import (capabilities_service_pb2, capabilities_service_pb2_grpc,
                  mesh_pb2, mesh_service_pb2, mesh_service_pb2_grpc,
                  question_service_pb2, question_service_pb2_grpc)
-from .wire import (accuracy, at_once, pair_fields, place_bytes, row_fields,
+from .wire import (accuracy, at_once, packed_vertices, pair_fields,
+                   place_bytes, row_fields,
                    source_bytes, source_messages, surface_points,
                    target_fields)
 
@@ -307,6 +309,23 @@ class RemoteBackend:
             for line, distance, length, source in zip(
                 answer.lines(), answer["distance"].tolist(),
                 answer["length"].tolist(), answer["source"].tolist())
+        ]
+
+    def trace(self, sources: Places, directions: np.ndarray,
+              lengths: np.ndarray, options: Options) -> List[LineAnswer]:
+        count = max(len(sources), len(directions), len(lengths))
+        packed = packed_vertices(sources)
+        answer = self._ask("TraceLines", options, {
+            **({"vertex_sources": packed} if packed else
+               {"sources": list(surface_points(sources))}),
+            ("angles" if directions.ndim == 1 else
+             "vectors"): directions.ravel().tolist(),
+            "lengths": lengths.tolist()}, total=count)
+        return [
+            LineAnswer(*line, length, LINE_ENDS[end])
+            for line, length, end in zip(answer.lines(),
+                                         answer["length"].tolist(),
+                                         answer["end"].tolist())
         ]
 
     def isolines(self, sources: Sources, levels: List[float],

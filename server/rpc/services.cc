@@ -27,7 +27,7 @@ std::vector<std::unique_ptr<Service>> MakeServices(
            ListMeshesCall, DeleteMeshCall>("geodesic.v1.MeshService", context));
   services.push_back(
       Make<FieldStream, PathStream, PairStream, MatrixStream, NearestStream,
-           IsolineStream, SampleStream, LogMapStream>(
+           IsolineStream, SampleStream, LogMapStream, TraceStream>(
           "geodesic.v1.QuestionService", context));
   services.push_back(
       Make<CapabilitiesCall>("geodesic.v1.CapabilitiesService", context));

@@ -186,6 +186,11 @@ class Client {
       const LogMapQuery& query, const CallOptions& options = {},
       const SolveProgressCallback& progress = nullptr);
 
+  // Lines that run straight on from places in directions.
+  absl::StatusOr<LineAnswer> TraceLines(
+      const LineQuery& query, const CallOptions& options = {},
+      const CountProgressCallback& progress = nullptr);
+
   // What the server can do and where its limits are.
   absl::StatusOr<Capabilities> GetCapabilities(const CallOptions& options = {});
 

@@ -89,7 +89,7 @@ class AnswerStream : public OneRequestCall<RequestType, v1::Answer> {
         question.query.algorithm = *exact;
       }
       question.query.tolerance = tolerance_;
-    } else {
+    } else if constexpr (requires { question.tolerance; }) {
       question.tolerance = tolerance_;
     }
   }

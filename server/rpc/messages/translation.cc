@@ -79,25 +79,68 @@ absl::StatusOr<FieldExtras> ExtrasFrom(const v1::ComputeFieldRequest& request) {
 
 }  // namespace
 
+absl::StatusOr<std::vector<SurfacePoint>> ReadPoints(
+    const google::protobuf::RepeatedPtrField<v1::SurfacePoint>& points,
+    const PackedVertices& vertices, const std::string& name, uint64_t limit) {
+  absl::Status status = CheckOneForm(name, points.size(), vertices.size());
+  status.Update(
+      CheckCount(name, points.size() + vertices.size(), "max_targets", limit));
+  if (!status.ok()) return status;
+  if (vertices.empty()) return codec::FromProto(points, name);
+  std::vector<SurfacePoint> places;
+  places.reserve(vertices.size());
+  for (const uint32_t v : vertices) places.push_back(VertexPoint{v});
+  return places;
+}
+
 absl::Status AddTargets(
     const google::protobuf::RepeatedPtrField<v1::SurfacePoint>& targets,
     const PackedVertices& vertex_targets, const Limits& limits, Query& query) {
-  absl::Status status =
-      CheckOneForm("targets", targets.size(), vertex_targets.size());
-  status.Update(CheckCount("targets", targets.size() + vertex_targets.size(),
-                           "max_targets", limits.max_targets));
-  if (!status.ok()) return status;
-  if (!vertex_targets.empty()) {
-    query.targets.reserve(vertex_targets.size());
-    for (const uint32_t v : vertex_targets) {
-      query.targets.push_back(VertexPoint{v});
-    }
-    return absl::OkStatus();
-  }
   absl::StatusOr<std::vector<SurfacePoint>> points =
-      codec::FromProto(targets, "targets");
+      ReadPoints(targets, vertex_targets, "targets", limits.max_targets);
   if (points.ok()) query.targets = *std::move(points);
   return points.status();
+}
+
+absl::StatusOr<LineQuestion> ReadLines(const v1::TraceLinesRequest& request,
+                                       const Limits& limits) {
+  LineQuestion lines;
+  absl::StatusOr<std::vector<SurfacePoint>> sources =
+      ReadPoints(request.sources(), request.vertex_sources(), "sources",
+                 limits.max_targets);
+  if (!sources.ok()) return sources.status();
+  lines.sources = *std::move(sources);
+  const auto& vectors = request.vectors();
+  if (vectors.size() % 3 != 0) {
+    return InvalidField("vectors",
+                        absl::StrCat("vectors has ", vectors.size(),
+                                     " numbers; a vector has three"));
+  }
+  if ((vectors.empty() ? 0 : 1) + (request.angles_size() > 0 ? 1 : 0) +
+          (request.towards_size() > 0 ? 1 : 0) >
+      1) {
+    return InvalidField("vectors",
+                        "the request has directions in several forms: angles, "
+                        "vectors and towards; use one");
+  }
+  absl::Status status =
+      CheckCount("lines",
+                 std::max({request.angles_size(), vectors.size() / 3,
+                           request.towards_size(), request.lengths_size()}),
+                 "max_targets", limits.max_targets);
+  if (!status.ok()) return status;
+  lines.directions.assign(request.angles().begin(), request.angles().end());
+  for (int i = 0; i < vectors.size(); i += 3) {
+    lines.directions.push_back(
+        Point{vectors[i], vectors[i + 1], vectors[i + 2]});
+  }
+  const absl::StatusOr<std::vector<SurfacePoint>> towards =
+      codec::FromProto(request.towards(), "towards");
+  if (!towards.ok()) return towards.status();
+  lines.directions.insert(lines.directions.end(), towards->begin(),
+                          towards->end());
+  lines.lengths.assign(request.lengths().begin(), request.lengths().end());
+  return lines;
 }
 
 absl::Status AddSources(

@@ -18,6 +18,7 @@
 #include "geodesic/distance_field.h"
 #include "geodesic/query.h"
 #include "geodesic/surface_point.h"
+#include "geodesic/trace.h"
 #include "geodesic/v1/answer.pb.h"
 #include "geodesic/v1/mesh.pb.h"
 #include "geodesic/v1/mesh_service.pb.h"
@@ -58,6 +59,11 @@ absl::Status AddSources(
 absl::Status AddRows(
     const google::protobuf::RepeatedPtrField<v1::Source>& sources,
     const PackedVertices& vertex_sources, const Limits& limits, Query& query);
+
+// The lines of a request.
+// Errors: also RESOURCE_EXHAUSTED when they are more than the limit.
+absl::StatusOr<LineQuestion> ReadLines(const v1::TraceLinesRequest& request,
+                                       const Limits& limits);
 
 // The pairs of a request, in either form.
 // Errors: also RESOURCE_EXHAUSTED when they are more than the limit.

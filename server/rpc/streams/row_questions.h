@@ -1,5 +1,5 @@
-// Questions whose answer the engine makes in rows: ComputeMatrix, FindNearest
-// and ComputePairs.
+// Questions whose answer the engine makes in rows: ComputeMatrix, FindNearest,
+// ComputePairs and TraceLines.
 
 #ifndef GEODESIC_SERVER_RPC_STREAMS_ROW_QUESTIONS_H_
 #define GEODESIC_SERVER_RPC_STREAMS_ROW_QUESTIONS_H_
@@ -14,6 +14,7 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "codec/answer_writer.h"
+#include "geodesic/trace.h"
 #include "geodesic/v1/question_service.pb.h"
 #include "server/engine/jobs/row_pipeline.h"
 #include "server/engine/pairs/pair_order.h"
@@ -218,6 +219,58 @@ class PairStream final : public RowQuestion<v1::ComputePairsRequest, PairCall> {
   std::optional<codec::LineWriter> lines_;  // if paths were asked for
   std::optional<PairOrder> order_;
   uint64_t next_path_ = 0;  // of the last row
+};
+
+class TraceStream final : public RowQuestion<v1::TraceLinesRequest, LineCall> {
+ public:
+  using RowQuestion::RowQuestion;
+
+ private:
+  absl::Status AskEngine() override {
+    LineRequest question;
+    BeginQuestion(question);
+    absl::StatusOr<LineQuestion> lines =
+        ReadLines(request(), engine().limits());
+    if (!lines.ok()) return lines.status();
+    question.lines = *std::move(lines);
+    absl::StatusOr<LineCall> call =
+        engine().lines().Trace(std::move(question), OnRow());
+    if (!call.ok()) return call.status();
+    SetCall(*std::move(call));
+    const auto count = static_cast<int64_t>(this->call().line_count);
+    lines_.emplace(writer(), count);
+    length_ = writer().Announce("length", value_type(), {count});
+    end_ = writer().Announce("end", v1::VALUE_TYPE_UINT8, {count});
+    return absl::OkStatus();
+  }
+
+  bool HasMoreRows() const override {
+    return lines_->line() < call().line_count;
+  }
+  uint64_t ItemsFinished() const override { return lines_->line(); }
+
+  void Take(const MatrixRow&) override { next_ = 0; }
+
+  bool Put(const MatrixRow& row) override {
+    for (; next_ < row.lines.size(); ++next_, lines_->Next()) {
+      const TracedLine& line = row.lines[next_];
+      if (!lines_->Put(line.points, line.positions) ||
+          !writer().PutOne(length_, lines_->line(), line.length) ||
+          !writer().PutOne(end_, lines_->line(),
+                           static_cast<uint8_t>(line.end))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // Set by AskEngine, then constant:
+  uint32_t length_ = 0;
+  uint32_t end_ = 0;
+
+  // Guarded by the stream's lock:
+  std::optional<codec::LineWriter> lines_;
+  uint64_t next_ = 0;  // line of the row
 };
 
 }  // namespace geodesic::server

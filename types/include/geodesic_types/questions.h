@@ -33,6 +33,7 @@ inline constexpr auto kQuestions = std::to_array<QuestionInfo>({
     {"ComputeIsolines", true, false, true},
     {"SampleFarthestPoints", true, false, true},
     {"ComputeLogMap", false, false, true},
+    {"TraceLines", false, false, false},
 });
 
 // What is known of the question with this name. REQUIRES: there is one.
