@@ -42,8 +42,8 @@ TEST(MeshDigestTest, HasTheFormOfADigest) {
 
 TEST(AlgorithmNamesTest, AreThoseOfTheProtocol) {
   EXPECT_EQ(AlgorithmNames(),
-            (std::vector<std::string>{"fwp-ch", "fwp-mmp", "ich", "mmp", "ch",
-                                      "lc-mmp", "lc-ch", "fwp-list"}));
+            (std::vector<std::string>{"fwp-list", "fwp-ch", "fwp-mmp", "ich",
+                                      "mmp", "lc-ch", "lc-mmp", "ch"}));
 }
 
 // A status with one detail.

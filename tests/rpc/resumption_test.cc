@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "tests/rpc/questions_fixture.h"
-#include "tests/support/curved_meshes.h"
 
 namespace geodesic::server {
 namespace {
@@ -103,12 +102,13 @@ class ResumptionTest : public test::QuestionsTest {
 };
 
 TEST_F(ResumptionTest, OfFields) {
-  Use(geodesic::test::Icosphere(6));
+  Use(geodesic::test::MakeGrid({.columns = 200, .rows = 170}));
   ExpectResumes(Field());
 }
 
 TEST_F(ResumptionTest, OfLogMaps) {
-  Use(geodesic::test::Icosphere(6));
+  // So many vertices that the map takes two messages.
+  Use(geodesic::test::MakeGrid({.columns = 200, .rows = 170}));
   ExpectResumes(From<v1::ComputeLogMapRequest>(5));
 }
 

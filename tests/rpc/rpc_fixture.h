@@ -152,7 +152,7 @@ class RpcTest : public ::testing::Test {
     constexpr std::tuple kMethods(
         &Stub::ComputeField, &Stub::ComputePaths, &Stub::ComputePairs,
         &Stub::ComputeMatrix, &Stub::FindNearest, &Stub::ComputeIsolines,
-        &Stub::SampleFarthestPoints, &Stub::ComputeLogMap);
+        &Stub::SampleFarthestPoints, &Stub::ComputeLogMap, &Stub::TraceLines);
     return std::invoke(std::get<Method>(kMethods), *questions_, &context,
                        request);
   }

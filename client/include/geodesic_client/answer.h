@@ -12,8 +12,8 @@
 
 namespace geodesic::client {
 
-// The exact algorithms this client can name: "fwp-ch", "fwp-mmp", "ich", "mmp",
-// "ch", "lc-mmp", "lc-ch", "fwp-list". All give the same distances. A server
+// The exact algorithms this client can name: "fwp-list", "fwp-ch", "fwp-mmp",
+// "ich", "mmp", "lc-ch", "lc-mmp", "ch". All give the same distances. A server
 // may offer fewer; see Client::GetCapabilities.
 std::vector<std::string> AlgorithmNames();
 
