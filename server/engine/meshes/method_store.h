@@ -14,9 +14,9 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "geodesic_types/algorithms.h"
 #include "geodesic/approximate/prepare.h"
 #include "geodesic/query.h"
+#include "geodesic_types/algorithms.h"
 #include "server/engine/base/lru_store.h"
 #include "server/engine/meshes/mesh_catalogue.h"
 #include "server/engine/meshes/mesh_store.h"
