@@ -74,7 +74,7 @@ class AccessTest : public test::RpcTest {
 
 TEST_F(AccessTest, WithoutATokenNoMethodAnswers) {
   StartWith(R"(["admin"])");
-  ASSERT_EQ(test::AllMethods().size(), 15);
+  ASSERT_EQ(test::AllMethods().size(), 16);
   for (const auto* descriptor : test::AllMethods()) {
     const std::string method = test::PathOf(*descriptor);
     const absl::Status none = Call(method, {});

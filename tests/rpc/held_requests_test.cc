@@ -97,7 +97,7 @@ TEST_F(HeldRequestsTest, WhoTakesALittleNowAndThenGetsAll) {
   const auto call = Open(digest, 0);
   const auto begin = std::chrono::steady_clock::now();
   while (call->Read()) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
   }
   const grpc::Status status = call->reader->Finish();
   EXPECT_TRUE(status.ok()) << status.error_message();
