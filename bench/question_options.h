@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "geodesic/algorithm.h"
+#include "geodesic_types/algorithms.h"
 
 namespace geodesic {
 

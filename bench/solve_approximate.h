@@ -11,9 +11,9 @@
 
 #include "absl/status/status.h"
 #include "bench/question_options.h"
-#include "geodesic/approximate/method.h"
 #include "geodesic/approximate/prepare.h"
 #include "geodesic/mesh.h"
+#include "geodesic_types/algorithms.h"
 
 namespace geodesic {
 

@@ -47,10 +47,10 @@ class Field(Question):
     """The distances from vertex 0."""
 
     known_vertex = 0
-    method = "/geodesic.v1.FieldService/ComputeField"
+    method = "/geodesic.v1.QuestionService/ComputeField"
 
     def request(self, stubs, digest):
-        return stubs.field_service_pb2.ComputeFieldRequest(
+        return stubs.question_service_pb2.ComputeFieldRequest(
             mesh_digest=digest, sources=[stubs.surface_pb2.Source(vertex=0)])
 
     def least_bytes(self):
@@ -62,10 +62,10 @@ class Pair(Question):
     """The distance of two opposite corners, of which no field is known."""
 
     known_vertex = 1
-    method = "/geodesic.v1.PairService/ComputePairs"
+    method = "/geodesic.v1.QuestionService/ComputePairs"
 
     def request(self, stubs, digest):
-        return stubs.pair_service_pb2.ComputePairsRequest(
+        return stubs.question_service_pb2.ComputePairsRequest(
             mesh_digest=digest, vertex_pairs=[0, (self.side + 1) ** 2 - 1])
 
     def least_bytes(self):

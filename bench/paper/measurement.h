@@ -6,9 +6,9 @@
 #include <cstdint>
 
 #include "bench/subject.h"
-#include "geodesic/algorithm.h"
 #include "geodesic/distance_field.h"
 #include "geodesic/solve_options.h"
+#include "geodesic_types/algorithms.h"
 
 namespace geodesic::paper {
 

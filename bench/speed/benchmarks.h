@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bench/subject.h"
-#include "geodesic/algorithm.h"
+#include "geodesic_types/algorithms.h"
 
 namespace geodesic::speed {
 

@@ -221,11 +221,12 @@ void AddConnection(CLI::App* app, ConnectionArguments* arguments) {
 
 // In the order in which --help lists them.
 std::vector<Command> AllCommands() {
-  return {UploadCommand(),  MeshesCommand(),       InfoCommand(),
-          DeleteCommand(),  DistanceCommand(),     FieldCommand(),
-          PathCommand(),    IsolinesCommand(),     MatrixCommand(),
-          NearestCommand(), SampleCommand(),       LogMapCommand(),
-          ViewCommand(),    CapabilitiesCommand(), ServerCommand()};
+  return {UploadCommand(),  MeshesCommand(),   InfoCommand(),
+          DeleteCommand(),  DistanceCommand(), FieldCommand(),
+          PathCommand(),    IsolinesCommand(), MatrixCommand(),
+          NearestCommand(), SampleCommand(),   LogMapCommand(),
+          TraceCommand(),   ViewCommand(),     CapabilitiesCommand(),
+          ServerCommand()};
 }
 
 void AddCommonOptions(CLI::App* app, CommandLine* line) {

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "assemblers.h"
 #include "connection.h"
+#include "mesh_assembler.h"
 #include "translate.h"
 
 namespace geodesic::client {

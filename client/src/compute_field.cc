@@ -1,95 +1,33 @@
-// Client::ComputeField and StreamField. Each reads a server stream, into its
-// final buffer or for the callback. ComputeField resumes a stream that breaks.
+// Client::ComputeField and StreamField: into the final buffer, or for the
+// callback.
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
-#include "assemblers.h"
+#include "ask.h"
 #include "connection.h"
-#include "geodesic_client/errors.h"
-#include "rpc_status.h"
+#include "lines.h"
 #include "translate.h"
 
 namespace geodesic::client {
 namespace {
 
-absl::StatusOr<v1::ComputeFieldRequest> ToRequest(const FieldQuery& query,
-                                                  bool progressive) {
-  auto request = MakeRequest<v1::ComputeFieldRequest>(query);
-  if (!request.ok()) return request;
-  if (query.stop_after_targets.has_value()) {
-    request->set_stop_after_targets(*query.stop_after_targets);
-  }
-  if (query.nearest_sources) {
-    request->add_quantities(v1::FIELD_QUANTITY_NEAREST_SOURCE);
-  }
-  if (query.gradients) request->add_quantities(v1::FIELD_QUANTITY_GRADIENT);
-  if (query.certified_errors) {
-    request->add_quantities(v1::FIELD_QUANTITY_CERTIFIED_ERROR);
-  }
-  request->set_progressive(progressive);
-  return request;
+using codec::AnswerReader;
+
+void CollectTargets(const FieldQuery& query, AnswerReader* reader,
+                    Field* field) {
+  if (query.targets.empty()) return;
+  const auto count = static_cast<int64_t>(query.targets.size());
+  reader->Collect("target_distance", {count}, &field->target_distances);
 }
 
-// Reads one stream to its end.
-absl::Status ReceiveStream(v1::FieldService::Stub* stub,
-                           const v1::ComputeFieldRequest& request,
-                           const CallOptions& options,
-                           FieldAssembler* assembler) {
-  Call call(options, request.mesh_digest());
-  return ReadStream(&call, stub->ComputeField(call.context(), request),
-                    [assembler](const v1::ComputeFieldResponse& message) {
-                      return assembler->Consume(message);
-                    });
-}
-
-// Prepares the next stream after one has failed. Returns false if there is to
-// be none. Before an answer has begun, gRPC itself tries again.
-bool ReadOn(const absl::Status& failed, int attempts,
-            const CallOptions& options, FieldAssembler* assembler,
-            v1::ComputeFieldRequest* request) {
-  if (ErrorReason(failed) == "FIELD_NOT_KEPT") {
-    assembler->Restart();
-    request->clear_resumption();
-    return attempts < kMaxAttempts;
-  }
-  if (!WaitToRetry(failed, attempts, options.stop)) return false;
-  const FieldAssembler::Position position = assembler->Resume();
-  request->clear_resumption();
-  if (!position.field_id.empty()) {
-    request->mutable_resumption()->set_field_id(position.field_id);
-    request->mutable_resumption()->set_first_vertex(position.first_vertex);
-  }
-  return true;
-}
-
-absl::StatusOr<Field> Receive(v1::FieldService::Stub* stub,
-                              const FieldQuery& query,
-                              const SettledCallback& on_settled,
-                              const CallOptions& options,
-                              const SolveProgressCallback& progress,
-                              bool retry) {
-  absl::StatusOr<v1::ComputeFieldRequest> request =
-      ToRequest(query, on_settled != nullptr);
-  if (!request.ok()) return request.status();
-  FieldAssembler assembler(query, on_settled, progress);
-  bool begun = false;
-  uint64_t most = 0;  // that has been received
-  for (int attempts = 1;; ++attempts) {
-    const absl::Status status =
-        ReceiveStream(stub, *request, options, &assembler);
-    if (status.ok()) return std::move(assembler).Finish();
-    begun |= assembler.has_header();
-    // Distances that were handed out cannot be taken back.
-    if (!retry || !begun || on_settled != nullptr) return status;
-    // Attempts count only while nothing new arrives.
-    if (assembler.received() > most) attempts = 1;
-    most = std::max(most, assembler.received());
-    if (!ReadOn(status, attempts, options, &assembler, &*request)) {
-      return status;
-    }
-  }
+// What a field alone says about itself.
+void Describe(const AnswerReader& reader, Field* field) {
+  const v1::AnswerTrailer& trailer = reader.trailer();
+  field->origin = FromProto(trailer.origin());
+  field->statistics = FromProto(trailer.statistics());
+  field->settled_radius = trailer.settled_radius();
 }
 
 }  // namespace
@@ -97,15 +35,61 @@ absl::StatusOr<Field> Receive(v1::FieldService::Stub* stub,
 absl::StatusOr<Field> Client::ComputeField(
     const FieldQuery& query, const CallOptions& options,
     const SolveProgressCallback& progress) {
-  return Receive(connection_->fields.get(), query, nullptr, options, progress,
-                 connection_->retry);
+  Field field;
+  AnswerReader reader;
+  const AnswerReader::Shape shape = {AnswerReader::kVertices};
+  reader.Collect("distance", shape, &field.distances);
+  if (query.nearest_sources) {
+    reader.Collect("nearest_source", shape, &field.nearest_sources);
+  }
+  if (query.gradients) {
+    reader.Collect("gradient", {AnswerReader::kVertices, 3}, &field.gradients);
+  }
+  if (query.certified_errors) {
+    reader.Collect("certified_error", shape, &field.certified_errors);
+  }
+  CollectTargets(query, &reader, &field);
+  absl::Status status = connection_->Ask(
+      &Questions::ComputeField, MakeRequest<v1::ComputeFieldRequest>(query),
+      options, ReportTo(progress), &reader, &field);
+  if (!status.ok()) return status;
+  Describe(reader, &field);
+  return field;
 }
 
 absl::StatusOr<Field> Client::StreamField(
     const FieldQuery& query, const SettledCallback& on_settled,
     const CallOptions& options, const SolveProgressCallback& progress) {
-  return Receive(connection_->fields.get(), query, on_settled, options,
-                 progress, connection_->retry);
+  auto request = MakeRequest<v1::ComputeFieldRequest>(query);
+  if (request.ok()) request->set_progressive(true);
+  Field field;
+  std::vector<uint32_t> vertices;
+  std::vector<double> distances;
+  uint64_t received = 0;
+  AnswerReader reader;
+  reader.Collect("settled_vertex", {AnswerReader::kAny}, &vertices);
+  reader.Collect("settled_distance", {AnswerReader::kAny}, &distances);
+  CollectTargets(query, &reader, &field);
+  const auto take = [&]() -> absl::Status {
+    std::vector<SettledVertex> settled;
+    for (size_t i = 0; i < std::min(vertices.size(), distances.size()); ++i) {
+      settled.push_back({vertices[i], distances[i]});
+    }
+    received += settled.size();
+    if (received > reader.header().vertex_count()) {
+      return absl::DataLossError("the server settled more than all vertices");
+    }
+    DropFront(settled.size(), &vertices);
+    DropFront(settled.size(), &distances);
+    if (!settled.empty()) on_settled(settled);
+    return absl::OkStatus();
+  };
+  absl::Status status =
+      connection_->Ask(&Questions::ComputeField, std::move(request), options,
+                       ReportTo(progress), &reader, &field, take);
+  if (!status.ok()) return status;
+  Describe(reader, &field);
+  return field;
 }
 
 }  // namespace geodesic::client

@@ -101,11 +101,12 @@ std::shared_ptr<grpc::Channel> MakeChannel(const std::string& server,
   // Clients of one process do not share a connection to the same server, so
   // destroying a client closes its connection.
   arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
-  // Questions and look-ups change nothing, so gRPC repeats them until an answer
-  // begins: if the server is not there, or if it is full, after the time that
-  // it suggests. DeleteMesh is not repeated: if the answer to a call that
-  // deleted the mesh were lost, the repetition would report it missing.
-  // CreateMesh sends too much for gRPC to keep, so upload.cc repeats it.
+  // Look-ups change nothing, so gRPC repeats them until an answer begins: if
+  // the server is not there, or if it is full, after the time that it suggests.
+  // Questions are repeated by Ask, also once an answer has begun. DeleteMesh is
+  // not repeated: if the answer to a call that deleted the mesh were lost, the
+  // repetition would report it missing. CreateMesh sends too much for gRPC to
+  // keep, so upload.cc repeats it.
   if (options.retry) {
     arguments.SetServiceConfigJSON(kServiceConfig);
   } else {
@@ -128,9 +129,6 @@ Client::Connection::Connection(const std::string& server,
       channel(MakeChannel(server, options)),
       meshes(v1::MeshService::NewStub(channel)),
       capabilities(v1::CapabilitiesService::NewStub(channel)),
-      fields(v1::FieldService::NewStub(channel)),
-      paths(v1::PathService::NewStub(channel)),
-      matrices(v1::MatrixService::NewStub(channel)),
-      pairs(v1::PairService::NewStub(channel)) {}
+      questions(v1::QuestionService::NewStub(channel)) {}
 
 }  // namespace geodesic::client

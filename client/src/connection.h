@@ -9,32 +9,52 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <stop_token>
 #include <string>
 
+#include "codec/answer_reader.h"
 #include "geodesic/v1/capabilities_service.grpc.pb.h"
-#include "geodesic/v1/field_service.grpc.pb.h"
-#include "geodesic/v1/matrix_service.grpc.pb.h"
 #include "geodesic/v1/mesh_service.grpc.pb.h"
-#include "geodesic/v1/pair_service.grpc.pb.h"
-#include "geodesic/v1/path_service.grpc.pb.h"
+#include "geodesic/v1/question_service.grpc.pb.h"
 #include "geodesic_client/client.h"
 #include "rpc_status.h"
 
 namespace geodesic::client {
 
+// A method of the service.
+using Questions = v1::QuestionService::Stub;
+template <typename Request>
+using Question = std::unique_ptr<grpc::ClientReader<v1::Answer>> (Questions::*)(
+    grpc::ClientContext*, const Request&);
+
+// Takes an answer's progress and the number of vertices.
+using TakeProgress = std::function<void(const v1::SolveProgress&, uint64_t)>;
+
 struct Client::Connection {
   Connection(const std::string& server, const ConnectionOptions& options);
+
+  // Asks a question and reads the answer to its end; `info`, an AnswerInfo or a
+  // Field, receives what it says about itself. Asks again where that may help,
+  // for the rest of an answer that has begun, as often as WaitToRetry allows
+  // without anything new. `take`, which may be empty, is called after each
+  // message and hands out what `reader` has collected. That cannot be taken
+  // back, so such an answer is never begun anew.
+  // Errors: that of `request`; the server's; that of `take`, which ends the
+  // call; DATA_LOSS if the answer breaks the protocol.
+  template <typename Request, typename Info>
+  absl::Status Ask(Question<Request> question, absl::StatusOr<Request> request,
+                   const CallOptions& options, const TakeProgress& progress,
+                   codec::AnswerReader* reader, Info* info,
+                   const std::function<absl::Status()>& take = nullptr) const;
 
   const bool retry;  // see ConnectionOptions
   std::shared_ptr<grpc::Channel> channel;
   std::unique_ptr<v1::MeshService::Stub> meshes;
   std::unique_ptr<v1::CapabilitiesService::Stub> capabilities;
-  std::unique_ptr<v1::FieldService::Stub> fields;
-  std::unique_ptr<v1::PathService::Stub> paths;
-  std::unique_ptr<v1::MatrixService::Stub> matrices;
-  std::unique_ptr<v1::PairService::Stub> pairs;
+  std::unique_ptr<Questions> questions;
 };
 
 // The context of one RPC, which it must outlive.

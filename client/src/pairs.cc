@@ -1,15 +1,16 @@
 // Client::ComputePairs, by as many calls as the server's limits ask for.
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
-#include "assemblers.h"
+#include "ask.h"
 #include "connection.h"
 #include "geodesic_client/errors.h"
-#include "read_answer.h"
+#include "lines.h"
 #include "rpc_status.h"
 #include "translate.h"
 
@@ -33,7 +34,6 @@ absl::StatusOr<v1::ComputePairsRequest> MakePairRequest(
   auto made = MakeRequest<v1::ComputePairsRequest>(query);
   if (!made.ok()) return made;
   v1::ComputePairsRequest& request = *made;
-  request.set_paths(query.paths);
   const bool are_vertices = AreVertices(pairs);
   for (const PointPair& pair : pairs) {
     if (are_vertices) {
@@ -90,60 +90,37 @@ absl::StatusOr<PairSummary> Client::ComputePairs(const PairQuery& query,
   do {
     const auto some = pairs.subspan(
         first, std::min<uint64_t>(per_call, pairs.size() - first));
-    const absl::StatusOr<v1::ComputePairsRequest> request =
-        MakePairRequest(query, some);
-    if (!request.ok()) return request.status();
-    uint64_t received = 0;
-    uint64_t paths = 0;
+    const auto count = static_cast<int64_t>(some.size());
+    codec::AnswerReader reader;
     std::vector<double> distances;
-    Polyline path;
-    PolylineAssembler assembler;
+    reader.Collect("distance", {count}, &distances);
+    std::optional<Lines> lines;
+    if (query.paths) lines.emplace(count, &reader);
+    uint64_t received = first;
+    uint64_t pair = first;  // whose path is due
     PairSummary of_call;
-    const auto take =
-        [&](const v1::ComputePairsResponse& response) -> absl::Status {
-      if (response.has_trailer()) {
-        of_call.searched = response.trailer().pairs_searched();
-        of_call.from_fields = response.trailer().pairs_from_fields();
-        of_call.from_cache = response.trailer().pairs_from_cache();
-      }
-      if (response.has_path()) {
-        if (response.path().pair() != paths || paths >= received) {
-          return absl::DataLossError(absl::StrCat(
-              "the server sent the path of pair ", response.path().pair(),
-              " where ", paths, " was due, after ", received, " distances"));
-        }
-        absl::Status status = assembler.Consume(response.path().piece(), &path);
-        if (!status.ok() || !assembler.complete()) return status;
-        return receiver.on_path(first + paths++, std::exchange(path, {}));
-      }
-      if (!response.has_chunk()) return absl::OkStatus();
-      const v1::PairsChunk& chunk = response.chunk();
-      distances.clear();
-      if (chunk.offset() != received ||
-          !AppendValues(chunk.distances(), query.value_type, &distances) ||
-          distances.size() > some.size() - received) {
-        return absl::DataLossError(
-            absl::StrCat("the server sent ", chunk.distances().size(),
-                         " bytes of distances from pair ", chunk.offset(),
-                         " after ", received, " of ", some.size()));
-      }
-      const uint64_t number = first + received;
-      received += distances.size();
-      return receiver.on_distances(number, distances);
-    };
-    const auto progress = [&](const v1::PairsProgress& message,
-                              const AnswerInfo&) {
-      if (receiver.on_progress != nullptr) {
-        receiver.on_progress(first + message.pairs_finished(), pairs.size());
-      }
-    };
-    Call call(options, request->mesh_digest());
-    absl::Status status = ReadAnswer(
-        &call, connection_->pairs->ComputePairs(call.context(), *request),
-        progress, take, [&received] { return received; }, &of_call.info);
-    status.Update(CheckCount("distances", received, some.size()));
-    if (query.paths) status.Update(CheckCount("paths", paths, some.size()));
+    const absl::Status status = connection_->Ask(
+        &Questions::ComputePairs, MakePairRequest(query, some), options,
+        ReportTo(receiver.on_progress, pairs.size(), first), &reader,
+        &of_call.info, [&]() -> absl::Status {
+          const uint64_t number = received;
+          received += distances.size();
+          absl::Status taken = distances.empty()
+                                   ? absl::OkStatus()
+                                   : receiver.on_distances(number, distances);
+          distances.clear();
+          if (!taken.ok() || !lines.has_value()) return taken;
+          return lines->Take(
+              [&](Polyline path) {
+                return receiver.on_path(pair++, std::move(path));
+              },
+              received - first);
+        });
     if (!status.ok()) return Renumbered(status, first);
+    const v1::PairCounts& counts = reader.trailer().pairs();
+    of_call.searched = counts.searched();
+    of_call.from_fields = counts.from_fields();
+    of_call.from_cache = counts.from_cache();
     summary.Add(of_call);
     first += some.size();
   } while (first < pairs.size());

@@ -1,48 +1,88 @@
-// Client's questions beside fields, each answered by a server stream.
+// Client's questions beside fields and pairs.
 
-#include <memory>
+#include <algorithm>
+#include <span>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "assemblers.h"
+#include "ask.h"
 #include "connection.h"
-#include "read_answer.h"
+#include "lines.h"
 #include "translate.h"
 
 namespace geodesic::client {
 namespace {
 
-absl::Status OutOfOrder(std::string_view what, uint64_t number,
-                        uint64_t expected) {
-  return absl::DataLossError(absl::StrCat("the server sent ", std::string(what),
-                                          " ", number, " where ", expected,
-                                          " was due"));
-}
+using codec::AnswerReader;
 
-absl::Status EndedWithin(std::string_view what) {
-  return absl::DataLossError(
-      absl::StrCat("the server's answer ended within ", std::string(what)));
-}
+constexpr int64_t kAny = AnswerReader::kAny;
 
-// Hands the progress of one computation to `callback`, which may be empty.
-auto ReportTo(const SolveProgressCallback& callback) {
-  return [&callback](const v1::SolveProgress& message, const AnswerInfo& info) {
-    if (callback != nullptr) callback(FromProto(message, info.vertex_count));
+// Asks for the rows of a matrix, or of what is found for each source. `numbers`
+// names the array of their columns or targets; empty if rows have a value in
+// each column. Hands rows out as they arrive, or at the end unless `streamed`.
+template <typename Connection, typename Request, typename Query>
+absl::Status AskForRows(const Connection& connection,
+                        Question<Request> question, const Query& query,
+                        const CallOptions& options, std::string_view numbers,
+                        bool streamed, const MatrixReceiver& receiver,
+                        AnswerInfo* info) {
+  AnswerReader reader;
+  const uint64_t rows = query.sources.size();
+  const uint64_t targets = query.targets.size();
+  const bool is_sparse = !numbers.empty();
+  Groups groups;
+  std::vector<uint32_t> columns;
+  std::vector<double> values;
+  const auto row_dimension = static_cast<int64_t>(rows);
+  if (is_sparse) {
+    reader.Collect("row_end", {row_dimension}, &groups.ends);
+    reader.Collect(numbers, {kAny}, &columns);
+    reader.Collect("distance", {kAny}, &values);
+  } else {
+    reader.Collect(
+        "distance",
+        {row_dimension, targets == 0 ? AnswerReader::kVertices
+                                     : static_cast<int64_t>(targets)},
+        &values);
+  }
+  bool has_shape = receiver.on_shape == nullptr;
+  const std::function<absl::Status()> take = [&]() -> absl::Status {
+    const uint64_t width =
+        targets == 0 ? reader.header().vertex_count() : targets;
+    if (!std::exchange(has_shape, true)) {
+      absl::Status status = receiver.on_shape({rows, width});
+      if (!status.ok()) return status;
+    }
+    while (!is_sparse && groups.ends.size() < rows) {
+      groups.ends.push_back((groups.ends.size() + 1) * width);
+    }
+    const auto taken = groups.Take(
+        is_sparse ? std::min(columns.size(), values.size()) : values.size(),
+        reader.has_trailer(), rows,
+        [&](uint64_t row, size_t first, size_t size) {
+          std::span<const uint32_t> numbers_of_row = columns;
+          if (is_sparse) numbers_of_row = numbers_of_row.subspan(first, size);
+          for (const uint32_t number : numbers_of_row) {
+            if (number < width) continue;
+            return absl::DataLossError(absl::StrCat("the server sent column ",
+                                                    number, " of ", width,
+                                                    " in row ", row));
+          }
+          return receiver.on_row(
+              {row, numbers_of_row, std::span(values).subspan(first, size)});
+        });
+    if (!taken.ok()) return taken.status();
+    DropFront(is_sparse ? *taken : 0, &columns);
+    DropFront(*taken, &values);
+    return absl::OkStatus();
   };
-}
-
-// Hands the progress of `rows` computations to `callback`, which may be empty.
-auto ReportTo(const CountProgressCallback& callback, uint64_t rows) {
-  return
-      [&callback, rows](const v1::MatrixProgress& message, const AnswerInfo&) {
-        if (callback != nullptr) callback(message.rows_finished(), rows);
-      };
-}
-
-absl::Status CheckRows(const v1::MatrixHeader& header, uint64_t rows) {
-  if (header.row_count() == rows) return absl::OkStatus();
-  return absl::DataLossError(absl::StrCat(
-      "the server announced ", header.row_count(), " rows instead of ", rows));
+  absl::Status status =
+      connection.Ask(question, MakeRequest<Request>(query), options,
+                     ReportTo(receiver.on_progress, rows), &reader, info,
+                     streamed ? take : nullptr);
+  return status.ok() && !streamed ? take() : status;
 }
 
 }  // namespace
@@ -50,106 +90,64 @@ absl::Status CheckRows(const v1::MatrixHeader& header, uint64_t rows) {
 absl::StatusOr<PathAnswer> Client::ComputePaths(
     const PathQuery& query, const CallOptions& options,
     const SolveProgressCallback& progress) {
-  const auto request = MakeRequest<v1::ComputePathsRequest>(query);
-  if (!request.ok()) return request.status();
-
   PathAnswer answer;
-  PolylineAssembler assembler;
-  const auto take = [&](const v1::ComputePathsResponse& response) {
-    if (!response.has_path()) return absl::OkStatus();
-    const v1::GeodesicPath& message = response.path();
-    if (assembler.complete()) {
-      GeodesicPath& path = answer.paths.emplace_back();
-      if (message.has_source()) path.source = message.source();
-      path.distance = message.distance();
-      path.length = message.length();
-    }
-    const uint64_t due = answer.paths.size() - 1;
-    if (message.target() != due) {
-      return OutOfOrder("the path to target", message.target(), due);
-    }
-    return assembler.Consume(message.piece(), &answer.paths.back().line);
-  };
-  Call call(options, request->mesh_digest());
-  absl::Status status = ReadAnswer(
-      &call, connection_->paths->ComputePaths(call.context(), *request),
-      ReportTo(progress), take, [&answer] { return answer.paths.size(); },
-      &answer.info);
-  status.Update(CheckCount("paths", answer.paths.size(), query.targets.size()));
+  const auto count = static_cast<int64_t>(query.targets.size());
+  std::vector<uint32_t> sources;
+  std::vector<double> distances;
+  std::vector<double> lengths;
+  AnswerReader reader;
+  reader.Collect("source", {count}, &sources);
+  reader.Collect("distance", {count}, &distances);
+  reader.Collect("length", {count}, &lengths);
+  Lines lines(count, &reader);
+  absl::Status status = connection_->Ask(
+      &Questions::ComputePaths, MakeRequest<v1::ComputePathsRequest>(query),
+      options, ReportTo(progress), &reader, &answer.info);
   if (!status.ok()) return status;
-  if (!assembler.complete()) return EndedWithin("a path");
+  status = lines.Take([&](Polyline line) {
+    const size_t i = answer.paths.size();
+    GeodesicPath& path = answer.paths.emplace_back();
+    if (sources[i] != kNoSource) path.source = sources[i];
+    path.distance = distances[i];
+    path.length = lengths[i];
+    path.line = std::move(line);
+    return absl::OkStatus();
+  });
+  if (!status.ok()) return status;
   return answer;
 }
 
 absl::StatusOr<IsolineAnswer> Client::ComputeIsolines(
     const IsolineQuery& query, const CallOptions& options,
     const SolveProgressCallback& progress) {
-  auto request = MakeRequest<v1::ComputeIsolinesRequest>(query);
-  if (!request.ok()) return request.status();
-  request->mutable_levels()->Add(query.levels.begin(), query.levels.end());
-  if (query.chord_error != 0) request->set_chord_error(query.chord_error);
-
   IsolineAnswer answer;
-  PolylineAssembler assembler;
-  const auto take = [&](const v1::ComputeIsolinesResponse& response) {
-    if (!response.has_isoline()) return absl::OkStatus();
-    const v1::Isoline& message = response.isoline();
-    if (assembler.complete()) {
-      answer.isolines.push_back(
-          {.level = message.level(), .is_closed = message.is_closed()});
-    }
-    const uint64_t due = answer.isolines.size() - 1;
-    if (message.number() != due) {
-      return OutOfOrder("isoline", message.number(), due);
-    }
-    return assembler.Consume(message.piece(), &answer.isolines.back().line);
-  };
-  Call call(options, request->mesh_digest());
-  absl::Status status = ReadAnswer(
-      &call, connection_->paths->ComputeIsolines(call.context(), *request),
-      ReportTo(progress), take, [&answer] { return answer.isolines.size(); },
-      &answer.info);
+  std::vector<double> levels;
+  std::vector<uint8_t> closed;
+  AnswerReader reader;
+  reader.Collect("level", {kAny}, &levels);
+  reader.Collect("is_closed", {kAny}, &closed);
+  Lines lines(kAny, &reader);
+  absl::Status status =
+      connection_->Ask(&Questions::ComputeIsolines,
+                       MakeRequest<v1::ComputeIsolinesRequest>(query), options,
+                       ReportTo(progress), &reader, &answer.info);
   if (!status.ok()) return status;
-  if (!assembler.complete()) return EndedWithin("an isoline");
+  status = lines.Take([&](Polyline line) {
+    const size_t i = answer.isolines.size();
+    answer.isolines.push_back({levels[i], closed[i] != 0, std::move(line)});
+    return absl::OkStatus();
+  });
+  if (!status.ok()) return status;
   return answer;
 }
 
 absl::StatusOr<AnswerInfo> Client::ComputeMatrix(const MatrixQuery& query,
                                                  const MatrixReceiver& receiver,
                                                  const CallOptions& options) {
-  auto request = MakeRequest<v1::ComputeMatrixRequest>(query);
-  if (!request.ok()) return request.status();
-  request->set_layout(query.sparse ? v1::MATRIX_LAYOUT_SPARSE
-                                   : v1::MATRIX_LAYOUT_DENSE);
-
-  const uint64_t rows = query.sources.size();
-  uint64_t columns = 0;
   AnswerInfo info;
-  RowAssembler assembler(query.value_type, query.sparse);
-  const auto take = [&](const v1::ComputeMatrixResponse& response) {
-    absl::Status status;
-    if (response.has_header()) {
-      columns = response.header().column_count();
-      status = CheckRows(response.header(), rows);
-      if (!status.ok() || receiver.on_shape == nullptr) return status;
-      return receiver.on_shape({rows, columns});
-    }
-    if (!response.has_chunk()) return status;
-    const v1::MatrixChunk& chunk = response.chunk();
-    status =
-        assembler.Consume({chunk.row(), chunk.value_count(), chunk.offset(),
-                           chunk.columns(), chunk.values()},
-                          columns);
-    if (!status.ok() || !assembler.complete()) return status;
-    return receiver.on_row(
-        {assembler.row(), assembler.numbers(), assembler.values()});
-  };
-  Call call(options, request->mesh_digest());
-  absl::Status status = ReadAnswer(
-      &call, connection_->matrices->ComputeMatrix(call.context(), *request),
-      ReportTo(receiver.on_progress, rows), take,
-      [&assembler] { return assembler.row_count(); }, &info);
-  status.Update(CheckCount("rows", assembler.row_count(), rows));
+  absl::Status status = AskForRows(*connection_, &Questions::ComputeMatrix,
+                                   query, options, query.sparse ? "column" : "",
+                                   /*streamed=*/true, receiver, &info);
   if (!status.ok()) return status;
   return info;
 }
@@ -157,34 +155,18 @@ absl::StatusOr<AnswerInfo> Client::ComputeMatrix(const MatrixQuery& query,
 absl::StatusOr<NearestAnswer> Client::FindNearest(
     const NearestQuery& query, const CallOptions& options,
     const CountProgressCallback& progress) {
-  auto request = MakeRequest<v1::FindNearestRequest>(query);
-  if (!request.ok()) return request.status();
-  request->set_count(query.count);
-
-  const uint64_t rows = query.sources.size();
   NearestAnswer answer;
-  RowAssembler assembler(ValueType::kFloat64, /*has_numbers=*/true);
-  const auto take = [&](const v1::FindNearestResponse& response) {
-    if (response.has_header()) return CheckRows(response.header(), rows);
-    if (!response.has_chunk()) return absl::OkStatus();
-    const v1::NearestChunk& chunk = response.chunk();
-    absl::Status status =
-        assembler.Consume({chunk.row(), chunk.value_count(), chunk.offset(),
-                           chunk.targets(), chunk.distances()},
-                          query.targets.size());
-    if (!status.ok() || !assembler.complete()) return status;
+  const auto add = [&answer](const MatrixRow& row) {
     std::vector<NearestTarget>& found = answer.found.emplace_back();
-    for (size_t i = 0; i < assembler.values().size(); ++i) {
-      found.push_back({assembler.numbers()[i], assembler.values()[i]});
+    for (size_t i = 0; i < row.values.size(); ++i) {
+      found.push_back({row.columns[i], row.values[i]});
     }
-    return status;
+    return absl::OkStatus();
   };
-  Call call(options, request->mesh_digest());
-  absl::Status status = ReadAnswer(
-      &call, connection_->matrices->FindNearest(call.context(), *request),
-      ReportTo(progress, rows), take, [&answer] { return answer.found.size(); },
+  absl::Status status = AskForRows(
+      *connection_, &Questions::FindNearest, query, options, "target",
+      /*streamed=*/false, {.on_row = add, .on_progress = progress},
       &answer.info);
-  status.Update(CheckCount("rows", answer.found.size(), rows));
   if (!status.ok()) return status;
   return answer;
 }
@@ -192,26 +174,51 @@ absl::StatusOr<NearestAnswer> Client::FindNearest(
 absl::StatusOr<SampleAnswer> Client::SampleFarthestPoints(
     const SampleQuery& query, const CallOptions& options,
     const SolveProgressCallback& progress) {
-  auto request = MakeRequest<v1::SampleFarthestPointsRequest>(query);
-  if (!request.ok()) return request.status();
-  request->set_count(query.count);
-
   SampleAnswer answer;
-  const auto take = [&](const v1::SampleFarthestPointsResponse& response) {
-    for (const v1::FarthestSample& sample : response.samples().samples()) {
-      answer.samples.push_back({sample.vertex(), sample.distance()});
+  std::vector<uint32_t> vertices;
+  std::vector<double> distances;
+  AnswerReader reader;
+  reader.Collect("vertex", {kAny}, &vertices);
+  reader.Collect("distance", {kAny}, &distances);
+  absl::Status status =
+      connection_->Ask(&Questions::SampleFarthestPoints,
+                       MakeRequest<v1::SampleFarthestPointsRequest>(query),
+                       options, ReportTo(progress), &reader, &answer.info);
+  if (!status.ok()) return status;
+  for (size_t i = 0; i < vertices.size(); ++i) {
+    answer.samples.push_back({vertices[i], distances[i]});
+  }
+  return answer;
+}
+
+absl::StatusOr<LineAnswer> Client::TraceLines(
+    const LineQuery& query, const CallOptions& options,
+    const CountProgressCallback& progress) {
+  LineAnswer answer;
+  std::vector<double> lengths;
+  std::vector<uint8_t> ends;
+  AnswerReader reader;
+  reader.Collect("length", {kAny}, &lengths);
+  reader.Collect("end", {kAny}, &ends);
+  Lines lines(kAny, &reader);
+  const size_t directions =
+      std::visit([](const auto& all) { return all.size(); }, query.directions);
+  const uint64_t count =
+      std::max({query.sources.size(), directions, query.lengths.size()});
+  absl::Status status = connection_->Ask(
+      &Questions::TraceLines, MakeRequest<v1::TraceLinesRequest>(query),
+      options, ReportTo(progress, count), &reader, &answer.info);
+  if (!status.ok()) return status;
+  status = lines.Take([&](Polyline line) -> absl::Status {
+    const size_t i = answer.lines.size();
+    if (ends[i] > static_cast<uint8_t>(LineEnd::kSingular)) {
+      return absl::DataLossError(
+          absl::StrCat("the server sent a line with end ", ends[i]));
     }
-    return answer.samples.size() <= query.count
-               ? absl::OkStatus()
-               : absl::DataLossError(
-                     "the server sent more samples than were asked for");
-  };
-  Call call(options, request->mesh_digest());
-  absl::Status status = ReadAnswer(
-      &call,
-      connection_->fields->SampleFarthestPoints(call.context(), *request),
-      ReportTo(progress), take, [&answer] { return answer.samples.size(); },
-      &answer.info);
+    answer.lines.push_back(
+        {std::move(line), lengths[i], static_cast<LineEnd>(ends[i])});
+    return absl::OkStatus();
+  });
   if (!status.ok()) return status;
   return answer;
 }
@@ -219,36 +226,16 @@ absl::StatusOr<SampleAnswer> Client::SampleFarthestPoints(
 absl::StatusOr<LogMap> Client::ComputeLogMap(
     const LogMapQuery& query, const CallOptions& options,
     const SolveProgressCallback& progress) {
-  auto request = MakeRequest<v1::ComputeLogMapRequest>(query);
-  if (!request.ok()) return request.status();
-  *request->mutable_source() = codec::ToProto(query.source);
-
   LogMap map;
-  bool has_frame = false;
-  const auto take = [&](const v1::ComputeLogMapResponse& response) {
-    if (response.has_frame()) {
-      has_frame = true;
-      map.zero_direction = FromProto(response.frame().zero_direction());
-    } else if (response.has_chunk()) {
-      const v1::LogMapChunk& chunk = response.chunk();
-      if (chunk.offset() != map.coordinates.size() ||
-          !AppendValues(chunk.coordinates(), query.value_type,
-                        &map.coordinates)) {
-        return absl::DataLossError(
-            "the server sent other parts of a log map than were due");
-      }
-    }
-    return absl::OkStatus();
-  };
-  Call call(options, request->mesh_digest());
-  absl::Status status = ReadAnswer(
-      &call, connection_->fields->ComputeLogMap(call.context(), *request),
-      ReportTo(progress), take, [&map] { return map.coordinates.size(); },
-      &map.info);
-  status.Update(CheckCount("frames", has_frame ? 1 : 0, 1));
-  status.Update(CheckCount("vertices of a log map", map.coordinates.size(),
-                           map.info.vertex_count));
+  std::vector<double> direction;
+  AnswerReader reader;
+  reader.Collect("zero_direction", {3}, &direction);
+  reader.Collect("coordinates", {AnswerReader::kVertices, 2}, &map.coordinates);
+  absl::Status status = connection_->Ask(
+      &Questions::ComputeLogMap, MakeRequest<v1::ComputeLogMapRequest>(query),
+      options, ReportTo(progress), &reader, &map.info);
   if (!status.ok()) return status;
+  std::ranges::copy(direction, map.zero_direction.begin());
   return map;
 }
 

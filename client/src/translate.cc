@@ -10,6 +10,8 @@
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
+#include "codec/algorithms.h"
+#include "geodesic_types/algorithms.h"
 
 namespace geodesic::client {
 namespace {
@@ -23,29 +25,10 @@ std::string NameWithoutPrefix(const std::string& name,
   return word;
 }
 
-std::vector<v1::Algorithm> Algorithms() {
-  std::vector<v1::Algorithm> algorithms;
-  for (int value = v1::Algorithm_MIN; value <= v1::Algorithm_MAX; ++value) {
-    if (v1::Algorithm_IsValid(value) && value != v1::ALGORITHM_UNSPECIFIED) {
-      algorithms.push_back(static_cast<v1::Algorithm>(value));
-    }
-  }
-  return algorithms;
-}
-
-// Numbers from here on are those of approximate algorithms (query.proto).
-constexpr int kFirstApproximate = 16;
-
-bool IsApproximate(v1::Algorithm algorithm) {
-  return algorithm >= kFirstApproximate;
-}
-
-std::vector<std::string> NamesOf(bool are_approximate) {
+template <typename List>
+std::vector<std::string> NamesOf(const List& list) {
   std::vector<std::string> names;
-  for (const v1::Algorithm algorithm : Algorithms()) {
-    if (IsApproximate(algorithm) != are_approximate) continue;
-    names.push_back(AlgorithmName(algorithm));
-  }
+  for (const auto& info : list) names.emplace_back(info.name);
   return names;
 }
 
@@ -106,11 +89,11 @@ MeshInfo FromProto(const v1::Mesh& mesh) {
       .touching_edge_count = mesh.touching_edge_count()};
 }
 
-FieldOrigin FromProto(v1::FieldOrigin origin) {
+FieldOrigin FromProto(v1::AnswerOrigin origin) {
   switch (origin) {
-    case v1::FIELD_ORIGIN_JOINED:
+    case v1::ANSWER_ORIGIN_JOINED:
       return FieldOrigin::kJoined;
-    case v1::FIELD_ORIGIN_CACHED:
+    case v1::ANSWER_ORIGIN_CACHED:
       return FieldOrigin::kCached;
     default:
       return FieldOrigin::kComputed;
@@ -207,28 +190,28 @@ std::string AlgorithmName(v1::Algorithm algorithm) {
   return NameWithoutPrefix(v1::Algorithm_Name(algorithm), "ALGORITHM_");
 }
 
-absl::StatusOr<v1::Algorithm> AlgorithmFromName(std::string_view name) {
-  if (name.empty()) return v1::ALGORITHM_UNSPECIFIED;
-  for (const v1::Algorithm algorithm : Algorithms()) {
-    if (AlgorithmName(algorithm) == name) return algorithm;
+absl::StatusOr<v1::Algorithm> ToProto(std::string_view algorithm) {
+  if (algorithm.empty()) return v1::ALGORITHM_UNSPECIFIED;
+  if (const auto exact = AlgorithmFromName(algorithm); exact.ok()) {
+    return codec::ToProto(*exact);
   }
-  return absl::InvalidArgumentError(
-      absl::StrCat("unknown algorithm '", std::string(name), "'; known are ",
-                   absl::StrJoin(AlgorithmNames(), ", "), ", and approximate ",
-                   absl::StrJoin(ApproximateAlgorithmNames(), ", ")));
+  if (const auto method = ApproximateMethodFromName(algorithm); method.ok()) {
+    return codec::ToProto(*method);
+  }
+  return absl::InvalidArgumentError(absl::StrCat(
+      "unknown algorithm '", std::string(algorithm), "'; known are ",
+      absl::StrJoin(AlgorithmNames(), ", "), ", and approximate ",
+      absl::StrJoin(ApproximateAlgorithmNames(), ", ")));
 }
 
-std::vector<std::string> AlgorithmNames() {
-  return NamesOf(/*are_approximate=*/false);
-}
+std::vector<std::string> AlgorithmNames() { return NamesOf(kAlgorithms); }
 
 std::vector<std::string> ApproximateAlgorithmNames() {
-  return NamesOf(/*are_approximate=*/true);
+  return NamesOf(kApproximateMethods);
 }
 
 bool IsApproximate(std::string_view algorithm) {
-  const absl::StatusOr<v1::Algorithm> known = AlgorithmFromName(algorithm);
-  return known.ok() && IsApproximate(*known);
+  return ApproximateMethodFromName(algorithm).ok();
 }
 
 std::string_view FieldOriginName(FieldOrigin origin) {

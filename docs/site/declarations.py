@@ -12,7 +12,7 @@ _NAME = re.compile(r"^(?:template <.*> )?(?:(?:class|struct|enum class|enum|unio
                    r"|[^(]*?\b(k[A-Z]\w*))")
 # What needs no comment of its own.
 _PLAIN = re.compile(r"^(?:(?:class|struct) \w+;|static_assert|friend |explicit |template class"
-                    r"|message \w+(?:Request|Response|Header|Chunk|Progress|Trailer|Frame) "
+                    r"|message \w+(?:Request|Response|Header|Chunk|Trailer) "
                     r"|.*(?:= default|= delete|override);|~?[A-Z]\w*\()|.*\boperator\W")
 _BODY = re.compile(r"\)((?: const| noexcept| override)*) \{")
 _NO_CODE = re.compile(r"#|namespace |\}  // namespace|syntax |package |import |option ")

@@ -18,7 +18,7 @@ from .errors import (Cancelled, DeadlineExceeded, GeodesicError, GeodesicWarning
                      ResourceExhausted, Unavailable)
 from .mesh import Mesh
 from .places import Curve, EdgePoint, FacePoint, Places
-from .results import Field, Isoline, LogMap, Path
+from .results import Field, Isoline, Line, LogMap, Path
 
 if TYPE_CHECKING:
     from .service import Service
@@ -27,7 +27,7 @@ __version__: str = _core.VERSION
 
 __all__ = [
     "Approximate", "Cancelled", "Curve", "DeadlineExceeded", "EdgePoint", "FacePoint", "Field",
-    "GeodesicError", "GeodesicWarning", "InternalError", "InvalidArgument", "Isoline", "LogMap",
+    "GeodesicError", "GeodesicWarning", "InternalError", "InvalidArgument", "Isoline", "Line", "LogMap",
     "Mesh", "NotAllowed", "NotFound", "Path", "Places", "ResourceExhausted",
     "Unavailable", "algorithms", "connect"
 ]

@@ -114,6 +114,15 @@ class Progression:
     def next(self, seconds: float) -> Optional[
         Tuple[NDArray[np.int64], NDArray[np.float64]]]: ...
 
+def trace(mesh: Mesh, sources: Places, directions: np.ndarray,
+          lengths: List[float], threads: int, progress: _Progress,
+          ) -> List[Tuple[Places, np.ndarray, float, str]]:
+    """The places, positions, length and end of each line; of sources, directions
+    (angles, or vectors of shape (N, 3)) and lengths there is one for all, or one
+    for each."""
+    ...
+
+
 def paths(query: Query, radius: float, threads: int, progress: _Progress,
           ) -> List[Tuple[Places, NDArray[np.float64], float, float, int]]:
     """Places, points, distance, length and source of each target's path."""

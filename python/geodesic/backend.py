@@ -20,6 +20,7 @@ from .digest import Reading
 from .errors import InvalidArgument
 from .places import Places, Sources
 from .progress import ProgressCallback
+from .results import Field
 
 
 @dataclasses.dataclass
@@ -88,22 +89,6 @@ class Options:
 
 
 @dataclasses.dataclass
-class FieldAnswer:
-    """A distance field; see geodesic.Field."""
-
-    distances: np.ndarray
-    target_distances: np.ndarray
-    settled_radius: float
-    algorithm: str
-    statistics: Dict[str, Any]
-    labels: Optional[np.ndarray] = None
-    gradients: Optional[np.ndarray] = None
-    certified_error: Optional[float] = None
-    certified_errors: Optional[np.ndarray] = None
-    approximation: Optional[Approximate] = None
-
-
-@dataclasses.dataclass
 class PathAnswer:
     places: Places
     points: np.ndarray
@@ -118,6 +103,18 @@ class IsolineAnswer:
     closed: bool
     places: Places
     points: np.ndarray
+
+
+# By their numbers in answers.
+LINE_ENDS = ("length", "boundary", "singular")
+
+
+@dataclasses.dataclass
+class LineAnswer:
+    places: Places
+    points: np.ndarray
+    length: float
+    end: str
 
 
 class Backend(Protocol):
@@ -157,7 +154,9 @@ class Backend(Protocol):
 
     def field(self, sources: Sources, targets: Places, radius: float,
               stop_after_targets: Optional[int], labels: bool, gradients: bool,
-              certified_errors: bool, options: Options) -> FieldAnswer: ...
+              certified_errors: bool, options: Options) -> Field:
+        """Its target_distances are empty without targets."""
+        ...
 
     def progressive(self, sources: Sources, radius: float, interval: float,
                     options: Options,
@@ -168,6 +167,12 @@ class Backend(Protocol):
 
     def isolines(self, sources: Sources, levels: List[float],
                  chord_error: float, options: Options) -> List[IsolineAnswer]: ...
+
+    def trace(self, sources: Places, directions: np.ndarray,
+              lengths: np.ndarray, options: Options) -> List[LineAnswer]:
+        """`directions`: (N,) angles or (N, 3) vectors. Of each there is one for all
+        lines, or one for each."""
+        ...
 
     def fill_matrix(self, sources: Sources, targets: Optional[Places],
                     radius: float, out: np.ndarray,

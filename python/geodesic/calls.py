@@ -17,7 +17,7 @@ import random
 import threading
 import time
 import weakref
-from typing import Any, Callable, Dict, Iterator, Optional, Tuple
+from typing import Any, Callable, Dict, Iterator, Optional, Tuple, TypeVar
 
 import grpc
 
@@ -46,17 +46,18 @@ _IDLE_WORKERS = 4
 _GRACE = 1.0
 _END_OF_PROCESS = 5.0
 
-
-def deadline_after(timeout: Optional[float]) -> float:
-    """By time.monotonic(); +inf where there is none."""
-    return math.inf if timeout is None else time.monotonic() + timeout
+T = TypeVar("T")
 
 
 class Patience:
-    """How often, and when, what failed is tried again."""
+    """How often, and when, what failed is tried again.
+
+    Attributes:
+        deadline: of all attempts, by time.monotonic(); +inf where there is none.
+    """
 
     def __init__(self, deadline: float) -> None:
-        self._deadline = deadline
+        self.deadline = deadline
         self.begin_again()
 
     def begin_again(self) -> None:
@@ -70,7 +71,7 @@ class Patience:
         seconds = self._pauses.pop(0) * random.uniform(1 - _JITTER, 1 + _JITTER)
         if error.retry_after is not None:
             seconds = min(error.retry_after, _LONGEST_PAUSE)
-        if time.monotonic() + seconds >= self._deadline:
+        if time.monotonic() + seconds >= self.deadline:
             raise error
         time.sleep(seconds)
 
@@ -231,53 +232,41 @@ class Caller:
         self._orders.put((None, done))
         done.get()
 
-    def deadline(self) -> float:
-        """Of what begins now."""
-        return deadline_after(self._timeout)
+    def repeat(self, attempt: Callable[[Patience], T]) -> T:
+        """What `attempt` returns, which is called again where it finds the
+        service away or full.
+
+        Raises: the package's errors; Unavailable and ResourceExhausted only
+            after some attempts.
+        """
+        patience = self._patience()
+        while True:
+            try:
+                return attempt(patience)
+            except (Unavailable, ResourceExhausted) as error:
+                patience.pause(error)
 
     def call(self, method: Callable, request: Any, repeat: bool = True,
              mesh: str = "") -> Any:
         """The response of a call that has one. A `request` in messages is a
         function that returns their iterator. `mesh` is the digest that the call
-        is about, if the request does not tell.
+        is about, if the request does not tell."""
 
-        Raises: the package's errors; Unavailable and ResourceExhausted only
-            after some attempts, where calls may be repeated.
-        """
-        [response] = self._messages(method, request, False, repeat,
-                                    self.deadline(), mesh)
-        return response
+        def attempt(patience: Patience) -> Any:
+            [response] = self.stream(method, request, patience.deadline, mesh,
+                                     streams=False)
+            return response
 
-    def stream(self, method: Callable, request: Any, repeat: bool = True,
-               deadline: Optional[float] = None) -> Iterator[Any]:
-        """The responses of a call that streams them; likewise, but what breaks
-        after the first message is not repeated. Whoever stops reading, also by
-        an exception, cancels the call."""
-        return self._messages(method, request, True, repeat,
-                              self.deadline() if deadline is None else deadline)
+        return self.repeat(attempt) if repeat else attempt(self._patience())
 
-    def _messages(self, method: Callable, request: Any, streams: bool,
-                  repeat: bool, deadline: float,
-                  mesh: str = "") -> Iterator[Any]:
-        patience = Patience(deadline)
-        while True:
-            has_begun = False
-            try:
-                for message in self._once(method, request, streams, deadline,
-                                          mesh or _mesh_of(request)):
-                    has_begun = True
-                    yield message
-                return
-            except (Unavailable, ResourceExhausted) as error:
-                if (isinstance(error, Unavailable) and
-                        self._process == os.getpid()):
-                    self._look_for_service()
-                if has_begun or not repeat:
-                    raise
-                patience.pause(error)
+    def _patience(self) -> Patience:
+        return Patience(math.inf if self._timeout is None else
+                        time.monotonic() + self._timeout)
 
-    def _once(self, method: Callable, request: Any, streams: bool,
-              deadline: float, mesh: str) -> Iterator[Any]:
+    def stream(self, method: Callable, request: Any, deadline: float,
+               mesh: str = "", streams: bool = True) -> Iterator[Any]:
+        """The messages of one call, which streams them or has one. Whoever stops
+        reading, also by an exception, cancels it."""
         if self._process != os.getpid():
             raise Unavailable("the connection is another process's, which this "
                               "one was forked from: call geodesic.connect here")
@@ -285,6 +274,7 @@ class Caller:
         if left is not None and left <= 0:
             raise self._late()
         metadata = self._metadata
+        mesh = mesh or _mesh_of(request)
         if mesh:
             metadata += (("geo-mesh-digest", mesh),)
         begin = functools.partial(_begin, method, streams, request, left,
@@ -297,6 +287,8 @@ class Caller:
                 message, error = self._arrival(call, deadline)
                 if message is None:
                     has_ended = True
+                    if isinstance(error, Unavailable):
+                        self._look_for_service()
                     if error is not None:
                         raise error
                     return

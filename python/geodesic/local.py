@@ -12,10 +12,11 @@ import numpy as np
 
 from . import _core
 from .approximate import Approximate
-from .backend import FieldAnswer, IsolineAnswer, Options, PathAnswer
+from .backend import IsolineAnswer, LineAnswer, Options, PathAnswer
 from .digest import Reading, mesh_digest
 from .errors import InvalidArgument
 from .places import Places, Sources, empty
+from .results import Field
 
 _ALL_TARGETS = 2**64 - 1
 _NO_SOURCE = 2**32 - 1
@@ -110,13 +111,15 @@ class LocalBackend:
 
     def _approximate_field(self, wanted: Approximate, sources: Sources,
                            targets: Places, radius: float,
-                           options: Options) -> FieldAnswer:
+                           options: Options) -> Field:
         distances, seconds = self._method(wanted, options).distances(
             self._query(sources, None, options), options.progress)
         distances[distances > radius] = np.inf
-        return FieldAnswer(
+        return Field(
             distances=distances,
             target_distances=distances[targets.numbers[:, 0]],
+            labels=None,
+            gradients=None,
             settled_radius=0,
             algorithm=wanted.name,
             statistics={"solve_seconds": seconds},
@@ -152,7 +155,7 @@ class LocalBackend:
 
     def field(self, sources: Sources, targets: Places, radius: float,
               stop_after_targets: Optional[int], labels: bool, gradients: bool,
-              certified_errors: bool, options: Options) -> FieldAnswer:
+              certified_errors: bool, options: Options) -> Field:
         if options.approximate is not None:
             return self._approximate_field(options.approximate, sources,
                                            targets, radius, options)
@@ -160,9 +163,7 @@ class LocalBackend:
         stop = _ALL_TARGETS if stop_after_targets is None else stop_after_targets
         field = _core.solve(query, radius, stop, options.threads,
                             options.progress)
-        answer = FieldAnswer(
-            distances=np.empty(0),
-            target_distances=np.empty(0),
+        return Field(
             settled_radius=field.settled_radius,
             algorithm=field.algorithm,
             statistics=field.statistics(),
@@ -171,10 +172,10 @@ class LocalBackend:
             # 0: exact.
             certified_error=field.certified_error or None,
             certified_errors=(field.certified_errors() if certified_errors
-                              else None))
-        answer.distances = field.take_distances()
-        answer.target_distances = field.take_target_distances()
-        return answer
+                              else None),
+            # Last: then the field has them no more.
+            distances=field.take_distances(),
+            target_distances=field.take_target_distances())
 
     def progressive(self, sources: Sources, radius: float, interval: float,
                     options: Options,
@@ -200,6 +201,15 @@ class LocalBackend:
         return [
             IsolineAnswer(level, closed, _places(places), points)
             for level, closed, places, points in found
+        ]
+
+    def trace(self, sources: Places, directions: np.ndarray,
+              lengths: np.ndarray, options: Options) -> List[LineAnswer]:
+        found = _core.trace(self._mesh, _core_places(sources), directions,
+                            lengths.tolist(), options.threads, options.progress)
+        return [
+            LineAnswer(_places(places), points, length, end)
+            for places, points, length, end in found
         ]
 
     def fill_matrix(self, sources: Sources, targets: Optional[Places],

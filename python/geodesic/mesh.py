@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 import math
 import os
@@ -23,7 +24,7 @@ from .places import (Curve, FacePoint, Places, Source, Sources, SurfacePoint,
                      to_numbers, to_places, to_sources)
 from .progress import ProgressOption, reporting
 from .reach import joined_into, warn, warn_of_isolated, why_unreached
-from .results import Field, Isoline, LogMap, Path
+from .results import Field, Isoline, Line, LogMap, Path
 from .surface import FaceFinder, PointFinder
 
 OneOrManySources = Union[Source, Sequence[Source], NDArray[Any], Places]
@@ -286,7 +287,10 @@ class Mesh:
             field = self._backend.field(
                 sources, points, _radius(radius),
                 len(points) if stops else None, False, False, False, options)
-        return field.distances if targets is None else field.target_distances
+        if targets is None:
+            return field.distances
+        assert field.target_distances is not None
+        return field.target_distances
 
     def field(self, source: OneOrManySources, *, labels: bool = False,
               gradients: bool = False, certified_errors: bool = False,
@@ -328,21 +332,11 @@ class Mesh:
                 options.exact_alone(what)
         _vertices_alone(points, "targets", options)
         with reporting(progress, "vertices") as options.progress:
-            answer = self._backend.field(
+            field = self._backend.field(
                 sources, points, _radius(radius), stop_after_targets, labels,
                 gradients, certified_errors, options)
-        return Field(
-            distances=answer.distances,
-            target_distances=(None if targets is None else
-                              answer.target_distances),
-            labels=answer.labels,
-            gradients=answer.gradients,
-            settled_radius=answer.settled_radius,
-            algorithm=answer.algorithm,
-            statistics=answer.statistics,
-            certified_error=answer.certified_error,
-            certified_errors=answer.certified_errors,
-            approximation=answer.approximation)
+        return (dataclasses.replace(field, target_distances=None)
+                if targets is None else field)
 
     def labels(self, sources: OneOrManySources, **options: Any,
                ) -> NDArray[np.int32]:
@@ -693,6 +687,63 @@ class Mesh:
                 Options(algorithm, _threads(threads),
                         report).exact_alone("log maps are"))
         return LogMap(coordinates, zero_direction)
+
+    def trace(self, source: OneOrManyPlaces, *,
+              direction: Optional[ArrayLike] = None,
+              angle: Optional[ArrayLike] = None,
+              towards: Optional[OneOrManyPlaces] = None,
+              length: ArrayLike = math.inf, threads: Optional[int] = 1,
+              progress: ProgressOption = None) -> Union[Line, List[Line]]:
+        """Lines that run straight on: straight across edges when the faces on both
+        sides are laid into one plane, past vertices with equal angles on their left
+        and right.
+
+            line = mesh.trace(0, direction=[1, 0, 0], length=0.1)
+            star = mesh.trace(0, angle=np.linspace(0, 6.28, 100), length=0.1)
+
+        Args:
+            source: where lines start, around which the surface is a disk or
+                half-disk.
+            direction: (3,) or (N, 3): vectors in space, of any length; a line starts
+                in the direction of the surface that makes the least angle with its
+                vector.
+            angle: or angles in the log map of the source, one or (N,).
+            towards: or places that such vectors lead to.
+            length: where lines end, unless a boundary comes first; one or (N,).
+
+        Returns:
+            A Line; a list of them if there are several sources, or if directions
+            or lengths are arrays. Of each there is one for all lines, or one for
+            each.
+        """
+        sources = self._places(source, "source")
+        given = [x is not None for x in (direction, angle, towards)]
+        if sum(given) != 1:
+            raise InvalidArgument("name one of direction, angle and towards")
+        if angle is not None:
+            ways = to_array(angle, "angle", np.float64)
+            is_one = ways.ndim == 0
+            ways = ways.reshape(-1) if is_one else ways
+        elif direction is not None:
+            ways = to_array(direction, "direction", np.float64)
+            is_one = ways.ndim == 1
+            ways = ways.reshape(1, -1) if is_one else ways
+        else:
+            ends = self._places(towards, "towards")
+            is_one = len(ends) == 1 and not isinstance(towards, (list, np.ndarray))
+            ways = (self._backend.positions(ends) -
+                    self._backend.positions(sources))
+        if ways.shape[1:] not in ((), (3,)) or ways.ndim == 0:
+            raise InvalidArgument(
+                f"directions have shape {ways.shape}, not (N, 3), or (N,) as angles")
+        lengths = to_array(length, "length", np.float64)
+        is_one = is_one and lengths.ndim == 0 and len(sources) == 1
+        with reporting(progress, "lines") as report:
+            answers = self._backend.trace(
+                sources, ways, lengths.reshape(-1),
+                Options(None, _threads(threads), report))
+        lines = [Line(self, a.places, a.points, a.length, a.end) for a in answers]
+        return lines[0] if is_one else lines
 
     # Places.
 

@@ -154,6 +154,30 @@ class Isoline(_Polyline):
                 f"{kind}>")
 
 
+class Line(_Polyline):
+    """A line that runs straight on, across edges and past vertices.
+
+    Attributes:
+        points: float64 (P, 3), in space: where it starts, crosses edges and
+            vertices, and ends.
+        places, faces, barycentric: the same as places, and in faces.
+        length: in the unit of the mesh.
+        end: why it ends: "length" (it is as long as was asked for), "boundary",
+            or "singular" (at an edge of three faces or more, a vertex where
+            surfaces touch, or a face without area).
+    """
+
+    def __init__(self, mesh: "Mesh", places: Places, points: np.ndarray,
+                 length: float, end: str) -> None:
+        super().__init__(mesh, places, points)
+        self.length = length
+        self.end = end
+
+    def __repr__(self) -> str:
+        return (f"<geodesic.Line: length {self.length:.6g}, {len(self)} points, "
+                f"ends at {self.end}>")
+
+
 @dataclasses.dataclass(frozen=True, repr=False)
 class LogMap:
     """The surface around a source, laid into the plane.

@@ -1,4 +1,4 @@
-"""Places and errors as the service's messages (docs/protocol.md) hold them."""
+"""Requests, and errors, as the service's messages (docs/protocol.md)."""
 
 from __future__ import annotations
 
@@ -10,9 +10,17 @@ import numpy as np
 from google.protobuf import descriptor_pb2, descriptor_pool
 from google.protobuf import message_factory
 
+from .backend import Options
 from .errors import GeodesicError, from_code
-from .places import Places, Sources, empty
-from .v1 import surface_pb2
+from .places import Places, Sources
+from .v1 import (capabilities_service_pb2, query_pb2, question_service_pb2,
+                 surface_pb2)
+
+# The most bytes of each in a request, and of the rest of it.
+_PLACE_BYTES = 48
+_SOURCE_BYTES = 64
+_VERTEX_BYTES = 4
+_REQUEST_BYTES = 256
 
 
 def surface_points(places: Places) -> Iterable[surface_pb2.SurfacePoint]:
@@ -64,6 +72,35 @@ def row_fields(sources: Sources) -> Dict[str, Any]:
     return {"sources": source_messages(sources)}
 
 
+def pair_fields(sources: Places, targets: Places) -> Dict[str, Any]:
+    """The fields of a request for its pairs, in the same way."""
+    starts, ends = packed_vertices(sources), packed_vertices(targets)
+    if starts and ends:
+        return {"vertex_pairs": np.column_stack([starts, ends]).ravel().tolist()}
+    return {"pairs": [
+        question_service_pb2.PointPair(source=source, target=target)
+        for source, target in zip(surface_points(sources),
+                                  surface_points(targets))]}
+
+
+def place_bytes(places: Places) -> int:
+    """The most that one of them takes in a request."""
+    return _VERTEX_BYTES if packed_vertices(places) else _PLACE_BYTES
+
+
+def source_bytes(sources: Sources) -> int:
+    """The most that one of them takes as a row of a request."""
+    return _VERTEX_BYTES if packed_sources(sources) else _SOURCE_BYTES
+
+
+def at_once(limits: capabilities_service_pb2.Limits, most: int, each: int,
+            others: int = 0) -> int:
+    """How many of a list one request takes: `most`, if they have `each` bytes and
+    stand beside `others`."""
+    room = limits.max_message_bytes - _REQUEST_BYTES - others
+    return max(1, min(most, room // each))
+
+
 def source_messages(sources: Sources) -> List[surface_pb2.Source]:
     """A message for each source."""
     points = iter(surface_points(sources.places))
@@ -85,43 +122,20 @@ def source_messages(sources: Sources) -> List[surface_pb2.Source]:
     return messages
 
 
-def read_places(points: Iterable[surface_pb2.SurfacePoint], count: int) -> Places:
-    """The places of `count` messages."""
-    places = empty(count)
-    for i, point in enumerate(points):
-        kind = point.WhichOneof("place")
-        if kind == "vertex":
-            places.numbers[i, 0] = point.vertex
-        elif kind == "edge":
-            places.kinds[i] = 1
-            places.numbers[i] = getattr(point.edge, "from"), point.edge.to
-            places.weights[i, 0] = point.edge.t
-        else:
-            places.kinds[i] = 2
-            places.numbers[i, 0] = point.face.face
-            places.weights[i] = point.face.weights
-    return places
-
-
-class Polyline:
-    """A polyline that comes in pieces."""
-
-    def __init__(self) -> None:
-        self._points: List[surface_pb2.SurfacePoint] = []
-        self._positions: List[bytes] = []
-
-    def add(self, piece: surface_pb2.PolylinePiece) -> bool:
-        """Whether it is whole now."""
-        self._points += piece.points
-        self._positions.append(piece.positions)
-        return len(self._points) >= piece.point_count
-
-    def places(self) -> Places:
-        return read_places(self._points, len(self._points))
-
-    def positions(self) -> np.ndarray:
-        return np.frombuffer(bytearray(b"".join(self._positions)),
-                             "<f8").reshape(-1, 3)
+def accuracy(options: Options) -> Dict[str, Any]:
+    """The fields of a request for how it is to be answered."""
+    fields: Dict[str, Any] = {}
+    approximate = options.approximate
+    name = options.exact if approximate is None else approximate.name
+    if name is not None:
+        fields["algorithm"] = "ALGORITHM_" + name.upper().replace("-", "_")
+    if approximate is not None:
+        fields["approximation"] = query_pb2.Approximation(
+            neighbours=approximate.neighbours, samples=approximate.samples,
+            **{"lambda": approximate.lambda_})
+    elif options.tolerance != 0:
+        fields["tolerance"] = options.tolerance
+    return fields
 
 
 def _detail_types() -> Any:

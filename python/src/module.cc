@@ -1,7 +1,7 @@
 // The extension module `geodesic._core`: the core, for geodesic/local.py.
 
 #include "bindings.h"
-#include "geodesic/algorithm.h"
+#include "geodesic_types/algorithms.h"
 
 namespace geodesic::python {
 namespace {

@@ -1,13 +1,16 @@
 #include <pybind11/stl.h>
 
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "arrays.h"
 #include "bindings.h"
 #include "geodesic/path.h"
+#include "geodesic/trace.h"
 #include "places.h"
+#include "rows.h"
 #include "solve_within.h"
 #include "subject.h"
 #include "watch.h"
@@ -84,8 +87,64 @@ py::list Paths(const QueryHandle& question, double radius, uint32_t threads,
   return result;
 }
 
+// Angles, of shape (lines,), or vectors, (lines, 3).
+std::vector<LineDirection> ToDirections(const py::array_t<double>& array) {
+  std::vector<LineDirection> directions;
+  if (array.ndim() == 1) {
+    const auto angle = array.unchecked<1>();
+    for (py::ssize_t i = 0; i < angle.shape(0); ++i) {
+      directions.emplace_back(angle(i));
+    }
+    return directions;
+  }
+  const auto vector = array.unchecked<2>();
+  for (py::ssize_t i = 0; i < vector.shape(0); ++i) {
+    directions.emplace_back(Point{vector(i, 0), vector(i, 1), vector(i, 2)});
+  }
+  return directions;
+}
+
+// (places, positions, length, name of the end) of each line. Of sources,
+// directions and lengths there is one for all, or one for each.
+py::list Trace(const MeshHandle& on, const PlaceArrays& sources,
+               const py::array_t<double>& directions,
+               std::vector<double> lengths, uint32_t threads,
+               py::object progress) {
+  const LineQuestion question{.sources = ToSurfacePoints(sources),
+                              .directions = ToDirections(directions),
+                              .lengths = std::move(lengths)};
+  Watch watch(std::move(progress));
+  std::vector<TracedLine> lines =
+      watch.Run([&]() -> absl::StatusOr<std::vector<TracedLine>> {
+        const absl::StatusOr<uint64_t> count = CountLines(question);
+        if (!count.ok()) return count.status();
+        std::vector<TracedLine> traced(*count);
+        absl::Status status = RunRows(
+            *count, threads, watch, [&](uint64_t line, Checkpoint& checkpoint) {
+              return TraceLines(*on.mesh, question, line, line + 1, checkpoint,
+                                [&](TracedLine found) {
+                                  traced[line] = std::move(found);
+                                  return absl::OkStatus();
+                                });
+            });
+        if (!status.ok()) return status;
+        return traced;
+      });
+  py::list result;
+  for (TracedLine& line : lines) {
+    Watch::CheckSignals();
+    result.append(py::make_tuple(
+        ToPlaceArrays(line.points), ToArray(std::move(line.positions)),
+        line.length, std::string(TraceEndName(line.end))));
+  }
+  return result;
+}
+
 }  // namespace
 
-void BindPaths(py::module_& module) { module.def("paths", &Paths); }
+void BindPaths(py::module_& module) {
+  module.def("paths", &Paths);
+  module.def("trace", &Trace);
+}
 
 }  // namespace geodesic::python

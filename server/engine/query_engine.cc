@@ -55,6 +55,7 @@ QueryEngine::QueryEngine(const Limits& limits, const Clock& clock,
              searches_, fields_),
       matrices_(limits_, solve_options_, scheduler_, solo_jobs_, start_,
                 solver_memory_, meshes_, searches_),
+      lines_(scheduler_, solo_jobs_, meshes_),
       scheduler_(executor, limits.max_concurrent_jobs, limits.max_queued_jobs,
                  limits.max_queued_jobs_per_client) {}
 

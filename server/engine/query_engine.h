@@ -33,6 +33,7 @@
 #include "server/engine/jobs/solo_job.h"
 #include "server/engine/jobs/start_function.h"
 #include "server/engine/jobs/thread_pool.h"
+#include "server/engine/lines/line_engine.h"
 #include "server/engine/matrices/matrix_engine.h"
 #include "server/engine/meshes/mesh_files.h"
 #include "server/engine/meshes/mesh_library.h"
@@ -131,6 +132,7 @@ class QueryEngine {
   FieldEngine& fields() { return fields_; }
   PairEngine& pairs() { return pairs_; }
   MatrixEngine& matrices() { return matrices_; }
+  LineEngine& lines() { return lines_; }
   // After its BeginDrain, uploads and queries that need a job fail with
   // UNAVAILABLE.
   Scheduler& scheduler() { return scheduler_; }
@@ -192,6 +194,7 @@ class QueryEngine {
   SoloJobs solo_jobs_;
   PairEngine pairs_;
   MatrixEngine matrices_;
+  LineEngine lines_;
 
   // Last, so no job is left when the other members are destroyed.
   Scheduler scheduler_;

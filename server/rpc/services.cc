@@ -1,10 +1,10 @@
 #include "server/rpc/services.h"
 
+#include "server/rpc/streams/field_questions.h"
 #include "server/rpc/streams/field_stream.h"
+#include "server/rpc/streams/job_questions.h"
 #include "server/rpc/streams/mesh_streams.h"
-#include "server/rpc/streams/pair_stream.h"
-#include "server/rpc/streams/question_streams.h"
-#include "server/rpc/streams/row_stream.h"
+#include "server/rpc/streams/row_questions.h"
 #include "server/rpc/unary_calls.h"
 
 namespace geodesic::server {
@@ -25,13 +25,10 @@ std::vector<std::unique_ptr<Service>> MakeServices(
   services.push_back(
       Make<FindMissingCall, UploadStream, GetMeshCall, MeshStream,
            ListMeshesCall, DeleteMeshCall>("geodesic.v1.MeshService", context));
-  services.push_back(Make<FieldStream, LogMapStream, SampleStream>(
-      "geodesic.v1.FieldService", context));
   services.push_back(
-      Make<PathStream, IsolineStream>("geodesic.v1.PathService", context));
-  services.push_back(
-      Make<MatrixStream, NearestStream>("geodesic.v1.MatrixService", context));
-  services.push_back(Make<PairStream>("geodesic.v1.PairService", context));
+      Make<FieldStream, PathStream, PairStream, MatrixStream, NearestStream,
+           IsolineStream, SampleStream, LogMapStream, TraceStream>(
+          "geodesic.v1.QuestionService", context));
   services.push_back(
       Make<CapabilitiesCall>("geodesic.v1.CapabilitiesService", context));
   return services;

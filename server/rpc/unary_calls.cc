@@ -6,8 +6,8 @@
 
 #include "absl/status/statusor.h"
 #include "absl/strings/str_cat.h"
-#include "geodesic/algorithm.h"
-#include "geodesic/approximate/method.h"
+#include "codec/algorithms.h"
+#include "geodesic_types/algorithms.h"
 #include "server/rpc/messages/translation.h"
 
 namespace geodesic::server {
@@ -79,7 +79,7 @@ v1::GetCapabilitiesResponse MakeCapabilities(const Limits& limits,
   capabilities.set_version(version);
   for (const AlgorithmInfo& info : kAlgorithms) {
     v1::AlgorithmCapability& algorithm = *capabilities.add_algorithms();
-    algorithm.set_algorithm(ToProto(info.algorithm));
+    algorithm.set_algorithm(codec::ToProto(info.algorithm));
     algorithm.set_name(info.name.data(), info.name.size());
     algorithm.set_summary(info.summary.data(), info.summary.size());
     algorithm.set_is_default(info.algorithm == kDefaultAlgorithm);
@@ -87,7 +87,7 @@ v1::GetCapabilitiesResponse MakeCapabilities(const Limits& limits,
   for (const ApproximateMethodInfo& info : kApproximateMethods) {
     v1::AlgorithmCapability& algorithm =
         *capabilities.add_approximate_algorithms();
-    algorithm.set_algorithm(ToProto(info.method));
+    algorithm.set_algorithm(codec::ToProto(info.method));
     algorithm.set_name(info.name.data(), info.name.size());
     algorithm.set_summary(info.summary.data(), info.summary.size());
   }

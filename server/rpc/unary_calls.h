@@ -14,7 +14,7 @@
 #include "geodesic/v1/mesh_service.pb.h"
 #include "server/engine/base/limits.h"
 #include "server/engine/base/status_details.h"
-#include "server/rpc/calls/answer_stream.h"
+#include "server/rpc/calls/one_request_call.h"
 #include "server/rpc/calls/request_log.h"
 
 namespace geodesic::server {
@@ -22,9 +22,9 @@ namespace geodesic::server {
 // A derived class implements Ask, which must be short, and calls Answer at the
 // end.
 template <typename Request, typename Response>
-class UnaryCall : public AnswerStream<Request, Response> {
+class UnaryCall : public OneRequestCall<Request, Response> {
  public:
-  using AnswerStream<Request, Response>::AnswerStream;
+  using OneRequestCall<Request, Response>::OneRequestCall;
 
  protected:
   // Call at most once, and not if Ask fails.

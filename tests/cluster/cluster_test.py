@@ -268,21 +268,21 @@ class ClusterTest(unittest.TestCase):
         replica = next(iter(r for r in self.replicas if r.name == home),
                        self.replicas[0])
         # Some seconds of work.
-        rows = list(range(400))
+        rows = range(400)
         stubs = self.stubs
-        stream = stubs.matrix_service_pb2_grpc.MatrixServiceStub(
+        stream = stubs.question_service_pb2_grpc.QuestionServiceStub(
             client.channel).ComputeMatrix(
-                stubs.matrix_service_pb2.ComputeMatrixRequest(
-                    mesh_digest=digest, sources=[
-                        stubs.surface_pb2.Source(vertex=row) for row in rows]),
+                stubs.question_service_pb2.ComputeMatrixRequest(
+                    mesh_digest=digest, vertex_sources=rows),
                 timeout=60, metadata=(("geo-mesh-digest", digest),))
-        parts = collections.Counter()
+        came = 0
         for message in stream:
-            if not parts["chunk"] and message.WhichOneof("part") == "chunk":
+            if not came and message.blocks:
                 replica.signal(signal.SIGTERM)
-            parts[message.WhichOneof("part")] += 1
-        self.assertEqual(parts["trailer"], 1)
-        self.assertGreaterEqual(parts["chunk"], 2)
+                self.assertFalse(message.HasField("trailer"))
+            came += sum(len(block.values) for block in message.blocks)
+        self.assertTrue(message.HasField("trailer"))
+        self.assertEqual(came, len(rows) * 61**2 * 8)
         self.assertEqual(replica.wait(), 0)
         client.channel.close()
         replica.start()

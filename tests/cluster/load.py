@@ -57,7 +57,7 @@ class Client:
         self._known = {self.digest_of(*mesh): mesh for mesh in meshes}
         self.channel = grpc.insecure_channel(address, options=self.OPTIONS)
         self._meshes = stubs.mesh_service_pb2_grpc.MeshServiceStub(self.channel)
-        self._fields = stubs.field_service_pb2_grpc.FieldServiceStub(
+        self._questions = stubs.question_service_pb2_grpc.QuestionServiceStub(
             self.channel)
         self.repeated = 0
 
@@ -104,17 +104,17 @@ class Client:
 
     def field(self, digest, vertex, timeout=30):
         """The distances' bytes, and the replica that answered."""
-        request = self._stubs.field_service_pb2.ComputeFieldRequest(
+        request = self._stubs.question_service_pb2.ComputeFieldRequest(
             mesh_digest=digest,
             sources=[self._stubs.surface_pb2.Source(vertex=vertex)])
 
         def call():
-            stream = self._fields.ComputeField(
+            stream = self._questions.ComputeField(
                 request, timeout=timeout,
                 metadata=(("geo-mesh-digest", digest),))
             replica = dict(stream.initial_metadata()).get("geo-replica", "")
-            return (b"".join(message.chunk.distances for message in stream
-                             if message.WhichOneof("part") == "chunk"), replica)
+            return (b"".join(block.values for message in stream
+                             for block in message.blocks), replica)
 
         return self._repeat(call, self._known.get(digest))
 

@@ -367,7 +367,7 @@ TEST_F(AdmissionTest, WhatMustBeKeptIsNotComputed) {
   request.must_be_kept = true;
   const absl::Status status = Ask(request).status();
   EXPECT_TRUE(absl::IsNotFound(status));
-  EXPECT_EQ(ReasonOf(status), reason::kFieldNotKept);
+  EXPECT_EQ(ReasonOf(status), reason::kAnswerNotKept);
   ASSERT_TRUE(Ask(Field(0)).ok());
   // Not while it is computed, either.
   EXPECT_TRUE(absl::IsNotFound(Ask(request).status()));

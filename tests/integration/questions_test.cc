@@ -449,6 +449,24 @@ TEST_F(PointQuestionsTest, SamplesAreFarApart) {
   EXPECT_EQ(json::parse(FileBytes(folder_ / "s.json")), answer["samples"]);
 }
 
+TEST_F(PointQuestionsTest, LinesRunStraightOn) {
+  const json answer =
+      GeodesicJson({"trace", grid_, "-s", "40", "-d", "1,2,0", "-d", "0,-1,0",
+                    "--length", "0.3", "-o", folder_ / "l.obj", "-o",
+                    folder_ / "l.json", "-o", folder_ / "l.png"});
+  ASSERT_EQ(answer["lines"].size(), 2);
+  const double norm = std::sqrt(5);
+  const json& end = answer["lines"][0]["positions"].back();
+  EXPECT_NEAR(end[0], At(40)[0] + 0.3 / norm, kTolerance);
+  EXPECT_NEAR(end[1], At(40)[1] + 0.6 / norm, kTolerance);
+  EXPECT_EQ(answer["lines"][0]["end"], "length");
+  EXPECT_THAT(FileBytes(folder_ / "l.obj"), HasSubstr("\nl "));
+  const json towards =
+      GeodesicJson({"trace", grid_, "-s", "40", "--towards", "41"});
+  EXPECT_EQ(towards["lines"][0]["end"], "boundary");
+  EXPECT_NEAR(towards["lines"][0]["length"], 1 - At(40)[0], kTolerance);
+}
+
 TEST_F(PointQuestionsTest, LogMapKeepsDistances) {
   const json answer =
       GeodesicJson({"logmap", grid_, "-s", "40", "-o", folder_ / "u.csv", "-o",

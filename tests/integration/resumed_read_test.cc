@@ -1,4 +1,4 @@
-// A connection that is cut while a field comes: the client reads on where it
+// A connection that is cut while an answer comes: the client reads on where it
 // broke, and what it ends with is what it would have had.
 
 #include <gmock/gmock.h>
@@ -48,9 +48,10 @@ class ResumedReadTest : public ::testing::Test {
     return std::stoi(address.substr(address.rfind(':') + 1));
   }
 
-  // 160,801 vertices: the field has ten chunks of 36 bytes a vertex.
+  // 160,801 vertices: the field has 36 bytes a vertex, in a dozen messages.
   static constexpr uint32_t kSide = 400;
-  static constexpr uint64_t kFieldBytes = uint64_t{401} * 401 * 36;
+  static constexpr uint64_t kVertices = uint64_t{401} * 401;
+  static constexpr uint64_t kFieldBytes = kVertices * 36;
 
   TemporaryFolder folder_;
   RunningServer server_{folder_};
@@ -60,7 +61,7 @@ class ResumedReadTest : public ::testing::Test {
   absl::StatusOr<Field> whole_;
 };
 
-// Before the first chunk, in the middle and after the last.
+// Before the first number, in the middle and after the last.
 TEST_F(ResumedReadTest, ACutIsNotNoticed) {
   for (const uint64_t bytes :
        {uint64_t{1000}, kFieldBytes / 2, kFieldBytes - 1000}) {
@@ -69,6 +70,107 @@ TEST_F(ResumedReadTest, ACutIsNotNoticed) {
     ExpectWhole(client.ComputeField(query_));
   }
   EXPECT_EQ(relay_.cuts(), 3);
+}
+
+// In the middle, whatever was asked.
+TEST_F(ResumedReadTest, EveryAnswerIsReadOn) {
+  const std::string& mesh = query_.mesh_digest;
+  const std::vector<Source> sources = {{VertexPoint{0}}, {VertexPoint{999}}};
+  std::vector<SurfacePoint> targets;
+  std::vector<PointPair> pairs;
+  for (uint32_t i = 1; i <= 12; ++i) {
+    targets.push_back(VertexPoint{(kSide + 1) * kSide + 30 * i});
+    pairs.push_back({VertexPoint{i}, targets.back()});
+  }
+  Client cut(RelayAddress());
+  int cuts = 0;
+  // `ask` returns the numbers of an answer of about so many bytes.
+  const auto expect_same = [&](uint64_t bytes, const auto& ask) {
+    const std::vector<double> expected = ask(direct_);
+    EXPECT_FALSE(expected.empty());
+    relay_.CutAfter(bytes / 2);
+    EXPECT_TRUE(ask(cut) == expected) << "after " << bytes / 2;
+    EXPECT_EQ(relay_.cuts(), ++cuts);
+  };
+  std::vector<double> numbers;
+  const auto add = [&numbers](const Polyline& line) {
+    for (const Point& point : line.positions) {
+      numbers.insert(numbers.end(), point.begin(), point.end());
+    }
+  };
+
+  for (const bool sparse : {false, true}) {
+    expect_same((sparse ? 24 : 16) * kVertices, [&](Client& client) {
+      numbers.clear();
+      EXPECT_TRUE(
+          client
+              .ComputeMatrix(
+                  {.mesh_digest = mesh, .sources = sources, .sparse = sparse},
+                  {.on_row =
+                       [&](const MatrixRow& row) {
+                         numbers.insert(numbers.end(), row.values.begin(),
+                                        row.values.end());
+                         return absl::OkStatus();
+                       }})
+              .ok());
+      return numbers;
+    });
+  }
+  expect_same(2 * 12 * targets.size(), [&](Client& client) {
+    const auto answer = client.FindNearest({.mesh_digest = mesh,
+                                            .sources = sources,
+                                            .targets = targets,
+                                            .count = targets.size()});
+    numbers.clear();
+    for (const auto& found : answer->found) {
+      for (const NearestTarget& target : found) {
+        numbers.push_back(static_cast<double>(target.target));
+        numbers.push_back(target.distance);
+      }
+    }
+    return numbers;
+  });
+  expect_same(57 * kSide * targets.size(), [&](Client& client) {
+    const auto answer = client.ComputePaths(
+        {.mesh_digest = mesh, .sources = sources, .targets = targets});
+    numbers.clear();
+    for (const GeodesicPath& path : answer->paths) add(path.line);
+    return numbers;
+  });
+  expect_same(57 * kSide * pairs.size(), [&](Client& client) {
+    const auto answer = client.ComputePairs(
+        {.mesh_digest = mesh, .pairs = pairs, .paths = true});
+    numbers = answer->distances;
+    for (const Polyline& path : answer->paths) add(path);
+    return numbers;
+  });
+  expect_same(3 * 57 * kSide, [&](Client& client) {
+    const auto answer = client.ComputeIsolines(
+        {.mesh_digest = mesh, .sources = sources, .levels = {0.3, 0.6, 0.9}});
+    numbers.clear();
+    for (const Isoline& isoline : answer->isolines) add(isoline.line);
+    return numbers;
+  });
+  expect_same(60, [&](Client& client) {
+    const auto answer = client.SampleFarthestPoints(
+        {.mesh_digest = mesh, .sources = sources, .count = 5});
+    numbers.clear();
+    for (const FarthestSample& sample : answer->samples) {
+      numbers.push_back(static_cast<double>(sample.vertex));
+      numbers.push_back(sample.distance);
+    }
+    return numbers;
+  });
+  expect_same(16 * kVertices, [&](Client& client) {
+    const auto answer =
+        client.ComputeLogMap({.mesh_digest = mesh, .source = VertexPoint{999}});
+    numbers.assign(answer->zero_direction.begin(),
+                   answer->zero_direction.end());
+    for (const auto& [x, y] : answer->coordinates) {
+      numbers.insert(numbers.end(), {x, y});
+    }
+    return numbers;
+  });
 }
 
 TEST_F(ResumedReadTest, AFieldThatWasDroppedMeanwhileIsAskedForAgain) {

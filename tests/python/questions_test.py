@@ -331,6 +331,37 @@ class QuestionsTest(unittest.TestCase):
         np.testing.assert_array_equal(
             np.isnan(near[:, 0]), np.linalg.norm(around, axis=1) > 0.25)
 
+    def test_lines_of_plane(self):
+        vertices, faces = meshes.grid(10)
+        mesh = self.make(vertices, faces)
+        source, length = 60, 0.3
+        start = vertices[source]
+        for way in ([1, 0, 0], [-0.3, 0.7, 0], [0.2, -1, 0]):
+            line = mesh.trace(source, direction=way, length=length)
+            np.testing.assert_allclose(
+                line.points[-1], start + length * np.array(way) /
+                np.linalg.norm(way), atol=tolerances.COORDINATES)
+            self.assertEqual((line.length, line.end), (length, "length"))
+            np.testing.assert_allclose(mesh.positions(line.places), line.points,
+                                       atol=tolerances.COORDINATES)
+        line = mesh.trace(source, towards=source + 1)
+        self.assertEqual(line.end, "boundary")
+        # The log map says where they lead.
+        log_map = mesh.log_map(source)
+        inner = [v for v in range(len(vertices)) if 0 < np.linalg.norm(
+            log_map.coordinates[v]) < 0.4]
+        u, v = log_map.coordinates[inner].T
+        lines = mesh.trace(source, angle=np.arctan2(v, u),
+                           length=np.hypot(u, v))
+        self.assertEqual(len(lines), len(inner))
+        for vertex, line in zip(inner, lines):
+            np.testing.assert_allclose(line.points[-1], vertices[vertex],
+                                       atol=tolerances.COORDINATES)
+        with self.assertRaisesRegex(geodesic.InvalidArgument, "name one"):
+            mesh.trace(source, length=1)
+        with self.assertRaisesRegex(geodesic.InvalidArgument, "right angles"):
+            mesh.trace(source, direction=[0, 0, 1], length=1)
+
     def test_nearest_point_of_far_points_and_of_any_size(self):
         vertices, faces = meshes.octahedron()
         for size in (1e-200, 1, 1e200):

@@ -293,6 +293,42 @@ class ServiceTest(ServedTest):
                 np.testing.assert_array_equal(getattr(field, name),
                                               getattr(wanted, name))
 
+    def test_so_is_every_other_answer(self):
+        vertices, faces = meshes.terrain(120)
+        count = len(vertices)
+        some = np.arange(0, count, 300)
+        hop = relay.Relay(self.server.address)
+        self.addCleanup(hop.close)
+
+        def sparse(mesh):
+            matrix = mesh.matrix(some[:20], radius=0.5)
+            return matrix.data, matrix.indices, matrix.indptr
+
+        for name, ask in (
+                ("matrix", lambda m: [m.matrix(some[:8])]),
+                ("sparse matrix", sparse),
+                ("nearest", lambda m: m.nearest(some[:12], np.arange(count),
+                                                k=6000)),
+                ("pairs", lambda m: [m.pairs(np.zeros(60_000, int),
+                                             np.arange(60_000) % count)]),
+                ("paths", lambda m: [
+                    array for path in m.paths(0, np.arange(9, count, 30))
+                    for array in (path.points, path.faces, path.distance)]),
+                ("isolines", lambda m: [
+                    array for line in m.isolines(0, count=150,
+                                                 chord_error=math.inf)
+                    for array in (line.points, line.places.weights, line.level)]),
+                ("log map", lambda m: [m.log_map(count // 2).coordinates])):
+            wanted = ask(self.make(vertices, faces))
+            with self.subTest(name), geodesic.connect(hop.address) as service:
+                mesh = service.mesh(vertices, faces)
+                before = hop.cuts
+                hop.cut_after(sum(np.asarray(part).nbytes for part in wanted) // 2)
+                found = ask(mesh)
+                self.assertEqual(hop.cuts, before + 1)
+                for got, right in zip(found, wanted, strict=True):
+                    np.testing.assert_array_equal(got, right)
+
     def test_nobody_there(self):
         with geodesic.connect("127.0.0.1:1") as service:
             with self.assertRaises(ConnectionError) as caught:

@@ -39,7 +39,7 @@ digest=$("${geodesic[@]}" upload "$folder/square.off" |
 
 # A gRPC message: not compressed, its length, itself.
 protoc -I "$protos" --encode=geodesic.v1.ComputeFieldRequest \
-  geodesic/v1/field_service.proto >"$folder/message" \
+  geodesic/v1/question_service.proto >"$folder/message" \
   <<<"mesh_digest: \"$digest\" sources { vertex: 0 }"
 length=$(stat -c %s "$folder/message")
 {
@@ -60,7 +60,7 @@ before=$(answered)
 h2load --requests="$questions" --clients=4 --max-concurrent-streams=4 \
   --header='content-type: application/grpc' --header='te: trailers' \
   --data="$folder/body" \
-  "http://127.0.0.1:$port/geodesic.v1.FieldService/ComputeField" |
+  "http://127.0.0.1:$port/geodesic.v1.QuestionService/ComputeField" |
   tee "$folder/h2load" | grep -v '^progress:\|^spawning'
 
 # A request is counted once gRPC is done with it, which is after the answer.

@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <stdexcept>
 #include <utility>
 
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_split.h"
-#include "geodesic/v1/field_service.pb.h"
-#include "geodesic/v1/matrix_service.pb.h"
+#include "codec/answer_reader.h"
 #include "geodesic/v1/mesh_service.pb.h"
-#include "geodesic/v1/path_service.pb.h"
+#include "geodesic/v1/question_service.pb.h"
 #include "geodesic_client/client.h"
 #include "tests/integration/meshes.h"
 
@@ -34,12 +32,6 @@ bool IsNear(double value, double expected) {
   return std::abs(value - expected) <= 1e-9 * (1 + expected);
 }
 
-void AppendDoubles(const std::string& bytes, std::vector<double>& values) {
-  const size_t old_size = values.size();
-  values.resize(old_size + bytes.size() / sizeof(double));
-  std::memcpy(values.data() + old_size, bytes.data(), bytes.size());
-}
-
 std::string Compare(const std::vector<double>& values,
                     const std::vector<double>& expected) {
   if (values.size() != expected.size()) {
@@ -53,72 +45,55 @@ std::string Compare(const std::vector<double>& values,
   return "";
 }
 
-// `take` gets each message; false if one cannot be parsed.
-template <typename Response, typename Take>
-bool ForEach(const std::vector<std::string>& messages, const Take& take) {
-  Response response;
-  for (const std::string& message : messages) {
-    if (!response.ParseFromString(message)) return false;
-    take(response);
-  }
-  return true;
-}
-
 constexpr char kUnreadable[] = "a message that cannot be parsed";
 
-// `offset` is of a chunk's first value in `expected`, `bytes` are its values.
-template <typename Response, typename Offset, typename Bytes>
-std::string CheckChunks(const std::vector<std::string>& messages,
-                        const std::vector<double>& expected,
-                        const Offset& offset, const Bytes& bytes) {
-  std::vector<double> values;
-  bool in_order = true;
-  bool has_trailer = false;
-  const auto take = [&](const Response& response) {
-    has_trailer = response.has_trailer();
-    if (!response.has_chunk()) return;
-    in_order &= offset(response.chunk()) == values.size();
-    AppendDoubles(bytes(response.chunk()), values);
-  };
-  if (!ForEach<Response>(messages, take)) return kUnreadable;
-  if (!in_order || !has_trailer) return "messages out of order";
-  return Compare(values, expected);
+// Empty if they are a whole answer, which `reader` then has read.
+std::string Read(const std::vector<std::string>& messages,
+                 codec::AnswerReader& reader) {
+  v1::Answer answer;
+  for (const std::string& message : messages) {
+    if (!answer.ParseFromString(message)) return kUnreadable;
+    const absl::Status status = reader.Consume(answer);
+    if (!status.ok()) return status.ToString();
+  }
+  return reader.has_trailer() ? "" : "no trailer";
+}
+
+std::string CheckDistances(const std::vector<std::string>& messages,
+                           const codec::AnswerReader::Shape& shape,
+                           const std::vector<double>& expected) {
+  codec::AnswerReader reader;
+  std::vector<double> distances;
+  reader.Collect("distance", shape, &distances);
+  const std::string wrong = Read(messages, reader);
+  return wrong.empty() ? Compare(distances, expected) : wrong;
 }
 
 std::string CheckField(const std::vector<std::string>& messages,
                        const std::vector<double>& expected) {
-  return CheckChunks<v1::ComputeFieldResponse>(
-      messages, expected, [](const auto& chunk) { return chunk.offset(); },
-      [](const auto& chunk) { return chunk.distances(); });
-}
-
-std::string CheckMatrix(const std::vector<std::string>& messages,
-                        const std::vector<double>& expected) {
-  return CheckChunks<v1::ComputeMatrixResponse>(
-      messages, expected,
-      [](const auto& chunk) { return chunk.row() * kColumns + chunk.offset(); },
-      [](const auto& chunk) { return chunk.values(); });
+  return CheckDistances(messages, {codec::AnswerReader::kVertices}, expected);
 }
 
 // Two lengths, and the first and the last point of the line.
 std::string CheckPath(const std::vector<std::string>& messages,
                       const std::array<double, 2>& from,
                       const std::array<double, 2>& to) {
+  codec::AnswerReader reader;
+  std::vector<double> distances;
+  std::vector<double> lengths;
+  std::vector<Point> positions;
+  reader.Collect("distance", {1}, &distances);
+  reader.Collect("length", {1}, &lengths);
+  reader.Collect("position", {codec::AnswerReader::kAny, 3}, &positions);
+  const std::string wrong = Read(messages, reader);
+  if (!wrong.empty()) return wrong;
+  if (positions.empty()) return "no path";
+  const Point& first = positions.front();
+  const Point& last = positions.back();
   const double distance = Distance(from, to);
-  std::vector<double> values;
-  std::vector<double> positions;
-  const auto take = [&](const v1::ComputePathsResponse& response) {
-    if (!response.has_path()) return;
-    if (values.empty()) {
-      values = {response.path().distance(), response.path().length()};
-    }
-    AppendDoubles(response.path().piece().positions(), positions);
-  };
-  if (!ForEach<v1::ComputePathsResponse>(messages, take)) return kUnreadable;
-  if (positions.size() < 3) return "no path";
-  values.insert(values.end(), positions.begin(), positions.begin() + 2);
-  values.insert(values.end(), positions.end() - 3, positions.end() - 1);
-  return Compare(values, {distance, distance, from[0], from[1], to[0], to[1]});
+  return Compare(
+      {distances[0], lengths[0], first[0], first[1], last[0], last[1]},
+      {distance, distance, from[0], from[1], to[0], to[1]});
 }
 
 std::string CheckUpload(const std::vector<std::string>& messages,
@@ -260,7 +235,7 @@ Question Workload::ColdField() {
   point.add_weights(right);
   point.add_weights(above);
   return {QuestionKind::kCold,
-          OneMessage("/geodesic.v1.FieldService/ComputeField", message),
+          OneMessage("/geodesic.v1.QuestionService/ComputeField", message),
           [this, place](const std::vector<std::string>& messages) {
             return CheckField(messages, DistancesFrom(place));
           }};
@@ -272,7 +247,7 @@ Question Workload::CachedField() {
   message.set_mesh_digest(digest_);
   message.add_sources()->set_vertex(vertex);
   return {QuestionKind::kCached,
-          OneMessage("/geodesic.v1.FieldService/ComputeField", message),
+          OneMessage("/geodesic.v1.QuestionService/ComputeField", message),
           [this, vertex](const std::vector<std::string>& messages) {
             return CheckField(messages, cached_[vertex]);
           }};
@@ -287,7 +262,7 @@ Question Workload::Path() {
   message.add_targets()->set_vertex(to);
   return {
       QuestionKind::kPath,
-      OneMessage("/geodesic.v1.PathService/ComputePaths", message),
+      OneMessage("/geodesic.v1.QuestionService/ComputePaths", message),
       [from = At(from), to = At(to)](const std::vector<std::string>& messages) {
         return CheckPath(messages, from, to);
       }};
@@ -311,9 +286,9 @@ Question Workload::Matrix() {
     }
   }
   return {QuestionKind::kMatrix,
-          OneMessage("/geodesic.v1.MatrixService/ComputeMatrix", message),
+          OneMessage("/geodesic.v1.QuestionService/ComputeMatrix", message),
           [expected](const std::vector<std::string>& messages) {
-            return CheckMatrix(messages, expected);
+            return CheckDistances(messages, {kRows, kColumns}, expected);
           }};
 }
 

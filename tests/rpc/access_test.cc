@@ -74,7 +74,7 @@ class AccessTest : public test::RpcTest {
 
 TEST_F(AccessTest, WithoutATokenNoMethodAnswers) {
   StartWith(R"(["admin"])");
-  ASSERT_EQ(test::AllMethods().size(), 15);
+  ASSERT_EQ(test::AllMethods().size(), 16);
   for (const auto* descriptor : test::AllMethods()) {
     const std::string method = test::PathOf(*descriptor);
     const absl::Status none = Call(method, {});
@@ -121,13 +121,10 @@ TEST_F(AccessTest, AQuotaOfJobsCountsStreamsUnderWay) {
   const auto first = Open(FieldRequest(digest, 0), "sesame");
   solver_.WaitForStarts(1);
 
-  grpc::ClientContext second_context;
-  test::AddToken("sesame", second_context);
-  const test::FieldReply second =
-      ComputeField(FieldRequest(digest, 1), second_context);
-  ExpectQuotaExceeded(second.status);
+  const auto second = Open(FieldRequest(digest, 1), "sesame");
+  ExpectQuotaExceeded(second->End());
   // gRPC's own retries wait as long.
-  const auto& trailers = second_context.GetServerTrailingMetadata();
+  const auto& trailers = second->context.GetServerTrailingMetadata();
   ASSERT_EQ(trailers.count("grpc-retry-pushback-ms"), 1);
   EXPECT_EQ(trailers.find("grpc-retry-pushback-ms")->second, "1000");
 
@@ -175,7 +172,7 @@ TEST_F(FairnessTest, OneClientCannotFillTheQueue) {
   StartWith(R"(["read", "upload"])", "{}", /*held=*/true, options);
   v1::ComputeFieldRequest request =
       FieldRequest(Upload(test::Tetrahedron(), "sesame"), 0);
-  std::vector<std::unique_ptr<test::OpenField>> admitted;
+  std::vector<std::unique_ptr<test::OpenCall>> admitted;
   // One that runs, two that wait.
   for (int i = 0; i < 3; ++i) {
     request.mutable_sources(0)->set_offset(i);

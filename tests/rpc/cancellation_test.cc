@@ -148,7 +148,7 @@ class CancelMatrixTest : public test::RpcTest,
     relay_.emplace(server_->port());
     const auto relayed = SlowChannel(relay_->port());
     relayed_meshes_ = v1::MeshService::NewStub(relayed);
-    relayed_fields_ = v1::FieldService::NewStub(relayed);
+    relayed_questions_ = v1::QuestionService::NewStub(relayed);
     const auto mesh = server_->engine().meshes().Get(digest_);
     ASSERT_TRUE(mesh.ok());
     mesh_ = *mesh;
@@ -284,9 +284,9 @@ class CancelMatrixTest : public test::RpcTest,
   std::weak_ptr<const ResidentMesh> mesh_;
   std::optional<geodesic::test::TcpRelay> relay_;
   std::unique_ptr<v1::MeshService::Stub> relayed_meshes_;
-  std::unique_ptr<v1::FieldService::Stub> relayed_fields_;
+  std::unique_ptr<v1::QuestionService::Stub> relayed_questions_;
 
-  std::unique_ptr<test::OpenField> blocker_;
+  std::unique_ptr<test::OpenCall> blocker_;
   std::mutex mutex_;
   std::condition_variable_any disk_freed_;
   bool is_free_ = false;  // guarded by mutex_
@@ -350,7 +350,7 @@ void CancelMatrixTest::RunStream() {
   if (phase == Phase::kStreaming) solvers_.endless = false;
   SetDeadline();
   const auto reader =
-      relayed_fields_->ComputeField(&context_, FieldRequest(digest_, 1));
+      relayed_questions_->ComputeField(&context_, FieldRequest(digest_, 1));
   ASSERT_TRUE(Reach([&] {
     switch (phase) {
       case Phase::kQueued:
@@ -379,9 +379,9 @@ void CancelMatrixTest::RunStream() {
                                             [](const absl::Status&) {});
     EXPECT_TRUE(Until([&] { return mesh_.expired(); }));
   }
-  v1::ComputeFieldResponse message;
-  while (reader->Read(&message)) EXPECT_FALSE(message.has_trailer());
-  ExpectCode(reader->Finish(), grpc::StatusCode::INTERNAL);
+  const test::Reply reply = test::ReadAll(*reader);
+  test::ExpectRules(reply, {});
+  ExpectCode(reply.status, grpc::StatusCode::INTERNAL);
 }
 
 TEST_P(CancelMatrixTest, NothingIsLeft) {
@@ -418,10 +418,9 @@ class QuestionCancellationTest : public test::QuestionsTest {
   void ExpectCancelled(const Request& request) {
     SCOPED_TRACE(request.GetTypeName());
     const int starts = solver_.starts();
-    grpc::ClientContext context;
-    const auto reader = Begin(context, request);
+    const auto call = Open(request);
     solver_.WaitForStarts(starts + 1);
-    ExpectCancelled(context, *reader);
+    ExpectCancelled(*call);
   }
 
   // The same for work that no test can hold up, on a mesh so large that it
@@ -429,31 +428,19 @@ class QuestionCancellationTest : public test::QuestionsTest {
   template <typename Request>
   void ExpectCancelledUnderWay(const Request& request) {
     SCOPED_TRACE(request.GetTypeName());
-    grpc::ClientContext context;
-    const auto reader = Begin(context, request);
-    auto message = MessageOf(*reader);
+    const auto call = Open(request);
     do {
-      ASSERT_TRUE(reader->Read(&message));
-    } while (!message.has_progress());
-    ExpectCancelled(context, *reader);
+      ASSERT_TRUE(call->Read());
+    } while (!call->message.has_progress());
+    ExpectCancelled(*call);
   }
 
  private:
-  template <typename Response>
-  static Response MessageOf(const grpc::ClientReader<Response>&) {
-    return {};
-  }
-
-  template <typename Response>
-  void ExpectCancelled(grpc::ClientContext& context,
-                       grpc::ClientReader<Response>& reader) {
+  void ExpectCancelled(test::OpenCall& call) {
     const std::string before = CancelledSeconds();
-    context.TryCancel();
-    const auto reply = ReadAll(reader);
-    EXPECT_EQ(reply.status.error_code(), grpc::StatusCode::CANCELLED);
-    for (const auto& message : reply.messages) {
-      EXPECT_FALSE(message.has_trailer());
-    }
+    call.context.TryCancel();
+    EXPECT_EQ(call.End().error_code(), grpc::StatusCode::CANCELLED);
+    EXPECT_FALSE(call.message.has_trailer());
     EXPECT_TRUE(
         server_->engine().scheduler().WaitIdle(std::chrono::seconds(120)));
     EXPECT_NE(CancelledSeconds(), before);

@@ -3,9 +3,8 @@
 
 #include <string>
 
-#include "geodesic/v1/field_service.pb.h"
 #include "geodesic/v1/mesh_service.pb.h"
-#include "geodesic/v1/path_service.pb.h"
+#include "geodesic/v1/question_service.pb.h"
 #include "server/rpc/calls/intake.h"
 
 namespace geodesic::server {
@@ -60,7 +59,7 @@ TEST(DecodedSize, BoundsWhatIsDecoded) {
 TEST(DecodedSize, CountsWhatIsSmallOnTheWire) {
   // Targets without a place: two bytes each.
   std::string bytes;
-  for (int i = 0; i < 1000; ++i) bytes += std::string("\x1a\x00", 2);
+  for (int i = 0; i < 1000; ++i) bytes += std::string("\x5a\x00", 2);
   ExpectBound<v1::ComputePathsRequest>(bytes);
   EXPECT_GT(SizeOf<v1::ComputePathsRequest>(bytes), 20 * bytes.size());
 }
@@ -81,8 +80,8 @@ TEST(DecodedSize, EndsWhereTheBytesAreMalformed) {
   const uint64_t empty = SizeOf<v1::ComputePathsRequest>("");
   // A target of two gigabytes, one of more than there are, a tag alone.
   for (const std::string& bytes :
-       {std::string("\x1a\xff\xff\xff\xff\x07"), std::string("\x1a\x05\x08"),
-        std::string("\x1a"), std::string("\x08\x08\x08")}) {
+       {std::string("\x5a\xff\xff\xff\xff\x07"), std::string("\x5a\x05\x08"),
+        std::string("\x5a"), std::string("\x08\x08\x08")}) {
     EXPECT_LE(SizeOf<v1::ComputePathsRequest>(bytes), empty + 200) << bytes;
   }
   // Curves in curves are no curves; this is deep only in the unknown.

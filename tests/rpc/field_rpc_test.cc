@@ -1,4 +1,4 @@
-// FieldService.ComputeField.
+// ComputeField.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -20,42 +20,36 @@ namespace geodesic::server {
 namespace {
 
 using test::Euclid;
-using test::FieldReply;
 using test::kInfinity;
-using test::OpenField;
-using test::Values;
+using test::OpenCall;
+using test::Reply;
 
 using FieldRpcTest = test::RpcTest;
 
 TEST_F(FieldRpcTest, StreamsAFieldInOrder) {
   Start();
-  // More vertices than a chunk holds.
+  // More vertices than a message holds.
   const TriangleSoup soup = geodesic::test::Terrain(300, 300, 0.5, 1);
   const std::string digest = Upload(soup);
-  const FieldReply reply = ComputeField(digest, 17);
+  const Reply reply = Ask(digest, 17);
   ASSERT_TRUE(reply.status.ok()) << reply.status.error_message();
 
   NoCheckpoint checkpoint;
   const auto direct = Solve(
       **Mesh::Build(soup), {.sources = {{VertexPoint{17}, 0}}}, {}, checkpoint);
   ASSERT_TRUE(direct.ok());
-  EXPECT_EQ(reply.distances, direct->distances);
+  EXPECT_EQ(reply.Values<double>("distance"), direct->distances);
+  EXPECT_GT(reply.pieces(), 1);
 
-  ASSERT_GE(reply.messages.size(), 4);
-  const v1::FieldHeader& header = reply.messages.front().header();
+  const v1::AnswerHeader& header = reply.header();
   EXPECT_EQ(header.mesh_digest(), digest);
   EXPECT_EQ(header.vertex_count(), soup.positions.size());
   EXPECT_EQ(header.algorithm(), v1::ALGORITHM_FWP_LIST);
-  EXPECT_EQ(header.origin(), v1::FIELD_ORIGIN_COMPUTED);
-  int stage = 0;  // header, progress, chunk, trailer
-  for (const v1::ComputeFieldResponse& message : reply.messages) {
-    EXPECT_GE(message.part_case(), stage);
-    stage = message.part_case();
-  }
-  const v1::FieldTrailer& trailer = reply.messages.back().trailer();
-  EXPECT_EQ(trailer.origin(), v1::FIELD_ORIGIN_COMPUTED);
+  EXPECT_EQ(header.origin(), v1::ANSWER_ORIGIN_COMPUTED);
+  EXPECT_EQ(header.server_version(), ServerVersion());
+  const v1::AnswerTrailer& trailer = reply.trailer();
+  EXPECT_EQ(trailer.origin(), v1::ANSWER_ORIGIN_COMPUTED);
   EXPECT_EQ(trailer.relative_tolerance(), 1e-10);
-  EXPECT_EQ(trailer.server_version(), ServerVersion());
   EXPECT_EQ(trailer.statistics().windows_created(),
             direct->statistics.windows_created);
   EXPECT_GT(trailer.statistics().windows_propagated(), 0);
@@ -81,12 +75,12 @@ TEST_F(FieldRpcTest, ProgressWhileItComputes) {
 TEST_F(FieldRpcTest, EqualQueriesAreSolvedOnce) {
   Start(SmallServer(), /*held=*/true);
   const std::string digest = Upload(geodesic::test::Icosphere(2));
-  std::vector<std::unique_ptr<OpenField>> calls;
+  std::vector<std::unique_ptr<OpenCall>> calls;
   for (int i = 0; i < 5; ++i) {
     calls.push_back(Open(digest, 0));
     ASSERT_TRUE(calls.back()->Read());
     EXPECT_EQ(calls.back()->message.header().origin(),
-              i == 0 ? v1::FIELD_ORIGIN_COMPUTED : v1::FIELD_ORIGIN_JOINED);
+              i == 0 ? v1::ANSWER_ORIGIN_COMPUTED : v1::ANSWER_ORIGIN_JOINED);
   }
   solver_.LetGo();
   for (const auto& call : calls) EXPECT_TRUE(call->End().ok());
@@ -101,29 +95,29 @@ uint64_t ResidentBytes() {
   return resident * static_cast<uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-// Readers that stall after the first chunk hold one message each, not their
+// Readers that stall after the first blocks hold one message each, not their
 // whole field: 64 times 4 MB would be 256 MB.
 TEST_F(FieldRpcTest, SlowReadersTakeLittleMemory) {
   Start();
   TriangleSoup soup = test::Tetrahedron();
   soup.positions.resize(500'004, {7, 7, 7});
   const std::string digest = Upload(soup);
-  ASSERT_TRUE(ComputeField(digest, 0).status.ok());
+  ASSERT_TRUE(Ask(digest, 0).status.ok());
 
   // The client lives in this process too: it must not read ahead.
-  fields_ = v1::FieldService::NewStub(SlowChannel(server_->port()));
+  questions_ = v1::QuestionService::NewStub(SlowChannel(server_->port()));
   const uint64_t before = ResidentBytes();
-  std::vector<std::unique_ptr<OpenField>> stalled;
+  std::vector<std::unique_ptr<OpenCall>> stalled;
   for (int i = 0; i < 64; ++i) {
     stalled.push_back(Open(digest, 0));
-    ASSERT_TRUE(stalled.back()->Read());
-    ASSERT_TRUE(stalled.back()->Read());
-    ASSERT_TRUE(stalled.back()->message.has_chunk());
+    do {
+      ASSERT_TRUE(stalled.back()->Read());
+    } while (stalled.back()->message.blocks().empty());
   }
-  fields_ = v1::FieldService::NewStub(channel_);
+  questions_ = v1::QuestionService::NewStub(channel_);
   // Others are served meanwhile, and the server has had time to run ahead.
   for (int i = 0; i < 5; ++i) {
-    EXPECT_EQ(ComputeField(digest, 0).distances.size(), 500'004);
+    EXPECT_TRUE(Ask(digest, 0).status.ok());
   }
   const uint64_t after = ResidentBytes();
   EXPECT_LT(after > before ? after - before : 0, uint64_t{128} << 20);
@@ -146,14 +140,10 @@ TEST_F(FieldQuestionsTest, TargetsComeInTheirOrder) {
   SetEdge(8, 7, 0.5, *request.add_targets());
   request.add_targets()->set_vertex(2);
   for (const bool cached : {false, true}) {
-    const auto messages = Messages(request);
-    EXPECT_EQ(messages.front().header().target_count(), 3);
-    EXPECT_EQ(messages.front().header().origin(),
-              cached ? v1::FIELD_ORIGIN_CACHED : v1::FIELD_ORIGIN_COMPUTED);
-    ASSERT_GE(messages.size(), 4);
-    const v1::TargetChunk& targets = messages[messages.size() - 2].targets();
-    EXPECT_EQ(targets.offset(), 0);
-    const auto distances = Values<double>(targets.distances());
+    const Reply reply = Answered(request);
+    EXPECT_EQ(reply.header().origin(),
+              cached ? v1::ANSWER_ORIGIN_CACHED : v1::ANSWER_ORIGIN_COMPUTED);
+    const auto distances = reply.Values<double>("target_distance");
     ASSERT_EQ(distances.size(), 3);
     EXPECT_NEAR(distances[0], 5, 1e-10);
     EXPECT_NEAR(distances[1], 7.5, 1e-10);
@@ -161,24 +151,35 @@ TEST_F(FieldQuestionsTest, TargetsComeInTheirOrder) {
   }
 }
 
+// All its parts.
+TEST_F(FieldQuestionsTest, ASmallAnswerThatIsThereIsOneMessage) {
+  v1::ComputeFieldRequest request = Request();
+  request.add_vertex_targets(5);
+  Answered(request);
+  const Reply reply = Answered(request);
+  EXPECT_EQ(reply.messages.size(), 1);
+  EXPECT_EQ(reply.header().origin(), v1::ANSWER_ORIGIN_CACHED);
+  EXPECT_EQ(reply.trailer().origin(), v1::ANSWER_ORIGIN_CACHED);
+  EXPECT_EQ(reply.Values<double>("distance").size(), soup_.positions.size());
+}
+
 TEST_F(FieldQuestionsTest, ARadiusCutsWhatIsSent) {
   v1::ComputeFieldRequest request = Request();
   // The whole field first: the cut answer then comes from the cache.
   for (const bool cached : {false, true}) {
-    if (cached) Messages(Request());
+    if (cached) Answered(Request());
     request.set_radius(cached ? 3.5 : 4);
-    const FieldReply reply = ComputeField(request);
+    const Reply reply = Answered(request);
+    const auto distances = reply.Values<double>("distance");
     for (size_t v = 0; v < soup_.positions.size(); ++v) {
       const double expected = Euclid(soup_.positions[0], soup_.positions[v]);
-      EXPECT_EQ(reply.distances[v] == kInfinity, expected > request.radius());
+      EXPECT_EQ(distances[v] == kInfinity, expected > request.radius());
     }
-    EXPECT_EQ(reply.messages.back().trailer().settled_radius(),
-              request.radius());
+    EXPECT_EQ(reply.trailer().settled_radius(), request.radius());
   }
   // A radius beyond everything is no limit.
   request.set_radius(1000);
-  const FieldReply reply = ComputeField(request);
-  EXPECT_EQ(reply.messages.back().trailer().settled_radius(), kInfinity);
+  EXPECT_EQ(Answered(request).trailer().settled_radius(), kInfinity);
 }
 
 // Wherever the solver stopped, and whatever the cache has.
@@ -188,13 +189,13 @@ TEST_F(FieldQuestionsTest, TheLastTargetCutsWhatIsSent) {
   request.add_targets()->set_vertex(2);
   request.set_stop_after_targets(1);
   for (const bool cached : {false, true}) {
-    if (cached) Messages(Request());
-    const FieldReply reply = ComputeField(request);
-    const v1::FieldTrailer& trailer = reply.messages.back().trailer();
-    EXPECT_EQ(trailer.settled_radius(), reply.distances[2]);
+    if (cached) Answered(Request());
+    const Reply reply = Answered(request);
+    const auto distances = reply.Values<double>("distance");
+    EXPECT_EQ(reply.trailer().settled_radius(), distances[2]);
     for (size_t v = 0; v < soup_.positions.size(); ++v) {
       const double expected = Euclid(soup_.positions[0], soup_.positions[v]);
-      EXPECT_EQ(reply.distances[v] == kInfinity, expected > 2) << v;
+      EXPECT_EQ(distances[v] == kInfinity, expected > 2) << v;
     }
   }
 }
@@ -210,16 +211,11 @@ TEST_F(FieldQuestionsTest, LabelsAndGradientsEndWhereDistancesDo) {
   const std::vector<Point> sources = {{9, 8, 0}, {1, 2, 0}};
   for (const double radius : {kInfinity, 5.1, 3.1}) {
     if (!std::isinf(radius)) request.set_radius(radius);
-    const auto messages = Messages(request);
-    const auto chunk = std::ranges::find_if(
-        messages, [](const auto& message) { return message.has_chunk(); });
-    ASSERT_NE(chunk, messages.end());
-    const auto distances = Values<double>(chunk->chunk().distances());
-    const auto nearest = Values<uint32_t>(chunk->chunk().nearest_sources());
-    const auto gradients = Values<Point>(chunk->chunk().gradients());
+    const Reply reply = Answered(request);
+    const auto distances = reply.Values<double>("distance");
+    const auto nearest = reply.Values<uint32_t>("nearest_source");
+    const auto gradients = reply.Values<Point>("gradient");
     ASSERT_EQ(distances.size(), soup_.positions.size());
-    ASSERT_EQ(nearest.size(), distances.size());
-    ASSERT_EQ(gradients.size(), distances.size());
     for (size_t v = 0; v < distances.size(); ++v) {
       const Point& p = soup_.positions[v];
       const double d[] = {Euclid(p, sources[0]), Euclid(p, sources[1])};
@@ -238,8 +234,7 @@ TEST_F(FieldQuestionsTest, LabelsAndGradientsEndWhereDistancesDo) {
   // The traced field answers those who want distances alone.
   request.clear_quantities();
   request.clear_radius();
-  EXPECT_EQ(Messages(request).front().header().origin(),
-            v1::FIELD_ORIGIN_CACHED);
+  EXPECT_EQ(Answered(request).header().origin(), v1::ANSWER_ORIGIN_CACHED);
 }
 
 TEST_F(FieldQuestionsTest, AProgressiveFieldComesInOrder) {
@@ -247,31 +242,22 @@ TEST_F(FieldQuestionsTest, AProgressiveFieldComesInOrder) {
   const std::string digest = Upload(soup);
   v1::ComputeFieldRequest request = FieldRequest(digest, 0);
   request.set_progressive(true);
-  std::vector<double> distances(soup.positions.size(), kInfinity);
-  double last = 0;
-  uint64_t count = 0;
-  int chunks = 0;
-  const auto messages = Messages(request);
-  for (const v1::ComputeFieldResponse& message : messages) {
-    EXPECT_FALSE(message.has_chunk());
-    if (!message.has_settled()) continue;
-    ++chunks;
-    EXPECT_EQ(message.settled().offset(), count);
-    const auto vertices = Values<uint32_t>(message.settled().vertices());
-    const auto values = Values<double>(message.settled().distances());
-    ASSERT_EQ(vertices.size(), values.size());
-    count += vertices.size();
-    for (size_t i = 0; i < vertices.size(); ++i) {
-      EXPECT_EQ(distances[vertices[i]], kInfinity);  // once only
-      EXPECT_GE(values[i], last);
-      distances[vertices[i]] = last = values[i];
-    }
+  const Reply reply = Answered(request);
+  EXPECT_EQ(reply.header().arrays_size(), 2);
+  const auto vertices = reply.Values<uint32_t>("settled_vertex");
+  const auto values = reply.Values<double>("settled_distance");
+  ASSERT_EQ(vertices.size(), soup.positions.size());
+  ASSERT_EQ(values.size(), vertices.size());
+  EXPECT_TRUE(std::ranges::is_sorted(values));
+  std::vector<double> distances(vertices.size(), kInfinity);
+  for (size_t i = 0; i < vertices.size(); ++i) {
+    EXPECT_EQ(distances[vertices[i]], kInfinity);  // once only
+    distances[vertices[i]] = values[i];
   }
-  EXPECT_EQ(count, soup.positions.size());
-  // It took several, so some came before the end.
-  EXPECT_GT(chunks, 1);
-  EXPECT_EQ(distances, ComputeField(digest, 0).distances);
-  EXPECT_EQ(messages.back().trailer().settled_radius(), kInfinity);
+  // It took several messages, so some came before the end.
+  EXPECT_GT(reply.pieces(), 1);
+  EXPECT_EQ(distances, Ask(digest, 0).Values<double>("distance"));
+  EXPECT_EQ(reply.trailer().settled_radius(), kInfinity);
 }
 
 TEST_F(FieldQuestionsTest, WrongArgumentsAreNamed) {

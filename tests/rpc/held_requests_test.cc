@@ -52,8 +52,8 @@ TEST_F(HeldRequestsTest, WhoTakesNothingIsCutOff) {
   Start(options);
   // Some megabytes of distances, of which 64 KiB are on their way.
   const std::string digest = Upload(geodesic::test::Icosphere(7));
-  fields_ = v1::FieldService::NewStub(SlowChannel(server_->port()));
-  std::vector<std::unique_ptr<test::OpenField>> stalled;
+  questions_ = v1::QuestionService::NewStub(SlowChannel(server_->port()));
+  std::vector<std::unique_ptr<test::OpenCall>> stalled;
   for (int i = 0; i < 3; ++i) {
     stalled.push_back(Open(digest, 0));
     ASSERT_TRUE(stalled.back()->Read());
@@ -92,12 +92,12 @@ TEST_F(HeldRequestsTest, WhoTakesALittleNowAndThenGetsAll) {
   const std::string digest = Upload(geodesic::test::Icosphere(7));
   // From the cache, so without progress, of which a client holds much that it
   // has not read.
-  ASSERT_TRUE(ComputeField(digest, 0).status.ok());
-  fields_ = v1::FieldService::NewStub(SlowChannel(server_->port()));
+  ASSERT_TRUE(Ask(digest, 0).status.ok());
+  questions_ = v1::QuestionService::NewStub(SlowChannel(server_->port()));
   const auto call = Open(digest, 0);
   const auto begin = std::chrono::steady_clock::now();
   while (call->Read()) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
   }
   const grpc::Status status = call->reader->Finish();
   EXPECT_TRUE(status.ok()) << status.error_message();
@@ -111,9 +111,8 @@ TEST_F(HeldRequestsTest, ADeadlineIsCountedAsOne) {
     grpc::ClientContext context;
     context.set_deadline(std::chrono::system_clock::now() +
                          std::chrono::milliseconds(300 + i));
-    EXPECT_EQ(
-        ComputeField(FieldRequest(digest, 0), context).status.error_code(),
-        grpc::StatusCode::DEADLINE_EXCEEDED);
+    EXPECT_EQ(Ask(FieldRequest(digest, 0), context).status.error_code(),
+              grpc::StatusCode::DEADLINE_EXCEEDED);
   }
   // A call that was late before it came is not counted.
   EXPECT_TRUE(Measures("\ngeodesic_active_requests 0\n"));
@@ -150,7 +149,7 @@ TEST_F(HeldRequestsTest, NoClientTakesAllRequests) {
   // The upload counts until a moment after its answer.
   ASSERT_TRUE(Measures("\ngeodesic_active_requests 0\n"));
   const v1::ComputeFieldRequest request = FieldRequest(digest, 0);
-  std::vector<std::unique_ptr<test::OpenField>> calls;
+  std::vector<std::unique_ptr<test::OpenCall>> calls;
   const auto open = [&](const std::string& token) {
     calls.push_back(Open(request, token));
     if (calls.back()->Read()) return grpc::Status::OK;
@@ -187,7 +186,7 @@ TEST_F(HeldRequestsTest, WhoWaitsMayAskWhetherTheServerIsThere) {
   constexpr int kPingMs = 6000;
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, kPingMs);
   arguments.SetInt(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
-  fields_ = v1::FieldService::NewStub(
+  questions_ = v1::QuestionService::NewStub(
       grpc::CreateCustomChannel(absl::StrCat("127.0.0.1:", server_->port()),
                                 grpc::InsecureChannelCredentials(), arguments));
   const auto call = Open(digest, 0);

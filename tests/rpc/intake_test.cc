@@ -23,7 +23,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr char kComputeField[] = "/geodesic.v1.FieldService/ComputeField";
+constexpr char kComputeField[] = "/geodesic.v1.QuestionService/ComputeField";
 
 class IntakeTest : public test::RpcTest {
  protected:
@@ -95,12 +95,12 @@ TEST_F(IntakeTest, ARequestThatCanNeverBeHeldIsRefusedForGood) {
   options.request_memory_bytes = 64 << 10;
   Start(options);
   const std::string digest = Upload(test::Tetrahedron());
-  const grpc::Status status = ComputeField(WithTargets(digest, 1000)).status;
+  const grpc::Status status = Ask(WithTargets(digest, 1000)).status;
   EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
   EXPECT_THAT(status.error_message(), HasSubstr("--limit request-memory"));
   EXPECT_FALSE(test::RetryInfo(status).has_value());
   // A smaller one is not.
-  EXPECT_TRUE(ComputeField(digest, 0).status.ok());
+  EXPECT_TRUE(Ask(digest, 0).status.ok());
 }
 
 TEST_F(IntakeTest, WhatRequestsHoldIsBounded) {
@@ -110,7 +110,7 @@ TEST_F(IntakeTest, WhatRequestsHoldIsBounded) {
   Start(options, /*held=*/true);
   const std::string digest = Upload(test::Tetrahedron());
   const v1::ComputeFieldRequest request = WithTargets(digest, 10'000);
-  std::vector<std::unique_ptr<test::OpenField>> held;
+  std::vector<std::unique_ptr<test::OpenCall>> held;
   grpc::Status refusal;
   // More than 40 bytes a target: they cannot be a hundred.
   while (held.size() < 100 && refusal.ok()) {
@@ -131,9 +131,9 @@ TEST_F(IntakeTest, WhatRequestsHoldIsBounded) {
   for (const auto& call : held) EXPECT_TRUE(call->End().ok());
   held.clear();
   // A client hears the end of a call before the server has let go of it.
-  test::FieldReply reply;
+  test::Reply reply;
   do {
-    reply = ComputeField(request);
+    reply = Ask(request);
   } while (test::Reason(reply.status) == "MEMORY_FULL");
   EXPECT_TRUE(reply.status.ok()) << reply.status.error_message();
 }

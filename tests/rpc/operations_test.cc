@@ -39,10 +39,9 @@ const std::string kServing("\x08\x01", 2);
 
 const std::string kNotServing("\x08\x02", 2);
 
-constexpr const char* kServices[] = {
-    "geodesic.v1.MeshService", "geodesic.v1.FieldService",
-    "geodesic.v1.PathService", "geodesic.v1.MatrixService",
-    "geodesic.v1.PairService", "geodesic.v1.CapabilitiesService"};
+constexpr const char* kServices[] = {"geodesic.v1.MeshService",
+                                     "geodesic.v1.QuestionService",
+                                     "geodesic.v1.CapabilitiesService"};
 
 constexpr std::chrono::hours kPatience{1};
 
@@ -134,7 +133,7 @@ TEST_F(CrowdTest, StreamsHaveALimit) {
   options.max_requests = 2;
   Start(options, /*held=*/true);
   const std::string digest = Upload(test::Tetrahedron());
-  std::vector<std::unique_ptr<test::OpenField>> calls;
+  std::vector<std::unique_ptr<test::OpenCall>> calls;
   while (calls.size() < 2) {
     auto call = Open(digest, 0);
     if (call->Read()) {
@@ -147,8 +146,7 @@ TEST_F(CrowdTest, StreamsHaveALimit) {
   }
   v1::CreateMeshResponse response;
   for (const grpc::Status& status :
-       {ComputeField(digest, 0).status,
-        Upload(v1::UploadHeader(), "", response)}) {
+       {Ask(digest, 0).status, Upload(v1::UploadHeader(), "", response)}) {
     EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
     EXPECT_TRUE(test::RetryInfo(status).has_value());
   }
@@ -265,7 +263,7 @@ class DrainTest : public test::RpcTest {
   }
 
   std::string digest_;
-  std::unique_ptr<test::OpenField> call_;
+  std::unique_ptr<test::OpenCall> call_;
   std::future<Server::Ending> stopped_;
 };
 
@@ -274,8 +272,7 @@ TEST_F(DrainTest, WhatRunsFinishesAndNothingNewBegins) {
   const auto health = test::CallMethod(channel_, kHealthCheck, "");
   ASSERT_TRUE(health.ok()) << health.status();
   EXPECT_EQ(*health, kNotServing);
-  EXPECT_EQ(ComputeField(digest_, 1).status.error_code(),
-            grpc::StatusCode::UNAVAILABLE);
+  EXPECT_EQ(Ask(digest_, 1).status.error_code(), grpc::StatusCode::UNAVAILABLE);
   // So who asks before it begins knows.
   EXPECT_TRUE(absl::IsUnavailable(
       test::CallMethod(channel_,

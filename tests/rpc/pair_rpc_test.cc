@@ -1,4 +1,4 @@
-// PairService: how answers are divided and requests refused.
+// ComputePairs: how answers are divided and requests refused.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace geodesic::server {
 namespace {
 
 using test::Euclid;
-using test::Values;
+using test::Reply;
 
 class PairRpcTest : public test::QuestionsTest {
  protected:
@@ -35,63 +35,56 @@ class PairRpcTest : public test::QuestionsTest {
 };
 
 TEST_F(PairRpcTest, AnswersOnePair) {
-  const auto messages = Messages(OnePair());
-  const v1::PairsHeader& header = messages.front().header();
-  EXPECT_EQ(header.answer().mesh_digest(), digest_);
-  EXPECT_EQ(header.answer().vertex_count(), soup_.positions.size());
-  EXPECT_EQ(header.answer().algorithm(), v1::ALGORITHM_FWP_LIST);
-  EXPECT_EQ(header.pair_count(), 1);
-  EXPECT_EQ(header.value_type(), v1::VALUE_TYPE_FLOAT64);
-  const v1::PairsTrailer& trailer = messages.back().trailer();
-  EXPECT_EQ(trailer.answer().item_count(), 1);
-  EXPECT_GT(trailer.answer().windows_propagated(), 0);
-  EXPECT_EQ(trailer.pairs_searched(), 1);
-  const auto& chunk = messages[messages.size() - 2].chunk();
-  EXPECT_EQ(Values<double>(chunk.distances()),
+  const Reply reply = Answered(OnePair());
+  EXPECT_EQ(reply.header().mesh_digest(), digest_);
+  EXPECT_EQ(reply.header().vertex_count(), soup_.positions.size());
+  EXPECT_EQ(reply.header().algorithm(), v1::ALGORITHM_FWP_LIST);
+  EXPECT_EQ(reply.header().arrays_size(), 1);
+  EXPECT_GT(reply.trailer().windows_propagated(), 0);
+  EXPECT_EQ(reply.trailer().pairs().searched(), 1);
+  EXPECT_EQ(reply.Values<double>("distance"),
             std::vector<double>{std::hypot(4.5, 3)});
 }
 
 TEST_F(PairRpcTest, CertifiesWhatIsWithinATolerance) {
   v1::ComputePairsRequest request = OnePair();
   request.set_tolerance(0.01);
-  auto messages = Messages(request);
-  EXPECT_EQ(messages.front().header().answer().relative_tolerance(), 0.01);
-  EXPECT_EQ(messages.back().trailer().answer().certified_error(), 0.01);
+  const Reply reply = Answered(request);
+  EXPECT_EQ(reply.trailer().relative_tolerance(), 0.01);
+  EXPECT_EQ(reply.trailer().certified_error(), 0.01);
   // Paths are exact.
   request.set_paths(true);
-  messages = Messages(request);
-  EXPECT_FALSE(messages.back().trailer().answer().has_certified_error());
+  EXPECT_FALSE(Answered(request).trailer().has_certified_error());
 }
 
-TEST_F(PairRpcTest, PathsFollowTheirChunk) {
+TEST_F(PairRpcTest, PathsLeadFromSourceToTarget) {
   v1::ComputePairsRequest request = Pairs();
   for (uint32_t i = 0; i < 200; ++i) {
     request.add_vertex_pairs(i % 3);  // fields would cost less
     request.add_vertex_pairs(i * 31 % soup_.positions.size());
   }
   request.set_paths(true);
-  uint64_t distances = 0, paths = 0, due = 0;
-  const auto messages = Messages(request);
-  for (const auto& message : messages) {
-    if (message.has_chunk()) {
-      EXPECT_EQ(message.chunk().offset(), distances);
-      EXPECT_EQ(paths, distances);
-      distances += message.chunk().distances().size() / sizeof(double);
-    }
-    if (!message.has_path()) continue;
-    const v1::PairPath& path = message.path();
-    EXPECT_EQ(path.pair(), paths);
-    if (due == 0) due = path.piece().point_count();
-    due -= path.piece().points_size();
-    if (due == 0) ++paths;
-    EXPECT_LE(paths, distances);
+  const Reply reply = Answered(request);
+  const auto positions = reply.Values<Point>("position");
+  const auto ends = reply.Values<uint64_t>("line_end");
+  const auto distances = reply.Values<double>("distance");
+  ASSERT_EQ(ends.size(), 200);
+  ASSERT_EQ(distances.size(), 200);
+  ASSERT_EQ(positions.size(), ends.back());
+  uint64_t begin = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Point& source = soup_.positions[request.vertex_pairs(2 * i)];
+    const Point& target = soup_.positions[request.vertex_pairs(2 * i + 1)];
+    ASSERT_LT(begin, ends[i]);
+    EXPECT_EQ(positions[begin], source);
+    EXPECT_EQ(positions[ends[i] - 1], target);
+    EXPECT_NEAR(distances[i], Euclid(source, target), 1e-10);
+    begin = ends[i];
   }
-  EXPECT_EQ(distances, 200);
-  EXPECT_EQ(paths, 200);
-  EXPECT_EQ(messages.back().trailer().pairs_searched(), 200);
+  EXPECT_EQ(reply.trailer().pairs().searched(), 200);
 }
 
-TEST_F(PairRpcTest, ChunksComeInOrderWhateverAnswersThem) {
+TEST_F(PairRpcTest, DistancesComeInOrderWhateverAnswersThem) {
   v1::ComputePairsRequest request = Pairs();
   const uint32_t vertices = soup_.positions.size();
   for (uint32_t i = 0; i < 2000; ++i) {
@@ -100,29 +93,23 @@ TEST_F(PairRpcTest, ChunksComeInOrderWhateverAnswersThem) {
     request.add_vertex_pairs(i * 31 % vertices);
   }
   request.set_value_type(v1::VALUE_TYPE_FLOAT32);
-  std::vector<float> distances;
+  const Reply reply = Answered(request);
   uint64_t finished = 0;
-  const auto messages = Messages(request);
-  for (const auto& message : messages) {
-    if (message.has_progress()) {
-      EXPECT_GE(message.progress().pairs_finished(), finished);
-      finished = message.progress().pairs_finished();
-    }
-    if (!message.has_chunk()) continue;
-    EXPECT_EQ(message.chunk().offset(), distances.size());
-    const auto values = Values<float>(message.chunk().distances());
-    distances.insert(distances.end(), values.begin(), values.end());
+  for (const v1::Answer& message : reply.messages) {
+    if (!message.has_progress()) continue;
+    EXPECT_GE(message.progress().items_finished(), finished);
+    finished = message.progress().items_finished();
   }
+  const auto distances = reply.Values<float>("distance");
   ASSERT_EQ(distances.size(), 2000);
   for (int i = 0; i < 2000; ++i) {
     EXPECT_FLOAT_EQ(distances[i],
                     Euclid(soup_.positions[request.vertex_pairs(2 * i)],
                            soup_.positions[request.vertex_pairs(2 * i + 1)]));
   }
-  const v1::PairsTrailer& trailer = messages.back().trailer();
-  EXPECT_EQ(trailer.answer().item_count(), 2000);
-  EXPECT_GE(trailer.pairs_from_fields(), 1000);
-  EXPECT_EQ(trailer.pairs_searched() + trailer.pairs_from_fields(), 2000);
+  const v1::PairCounts& counts = reply.trailer().pairs();
+  EXPECT_GE(counts.from_fields(), 1000);
+  EXPECT_EQ(counts.searched() + counts.from_fields(), 2000);
 }
 
 class LandmarksRpcTest : public PairRpcTest {
@@ -146,15 +133,13 @@ class LandmarksRpcTest : public PairRpcTest {
 
 TEST_F(LandmarksRpcTest, AreMadeOnceAPairWasAskedFor) {
   EXPECT_EQ(LandmarkCount(), 0);
-  Messages(OnePair());
+  Answered(OnePair());
   EXPECT_TRUE(geodesic::test::Until([&] { return LandmarkCount() == 64; }));
   const std::string metrics =
       geodesic::test::HttpGet(server_->metrics_port(), "/metrics");
   EXPECT_THAT(metrics, ::testing::HasSubstr(
                            "geodesic_landmarks_total{origin=\"computed\"} 64"));
-  const auto messages = Messages(OnePair());
-  const auto& chunk = messages[messages.size() - 2].chunk();
-  EXPECT_EQ(Values<double>(chunk.distances()),
+  EXPECT_EQ(Answered(OnePair()).Values<double>("distance"),
             std::vector<double>{std::hypot(4.5, 3)});
 }
 
@@ -186,7 +171,7 @@ TEST_F(PairRpcTest, RefusesWrongRequests) {
 TEST_F(PairRpcTest, RefusesMoreThanTheLimit) {
   v1::ComputePairsRequest request = Pairs();
   for (int i = 0; i < 2 * 3001; ++i) request.add_vertex_pairs(0);
-  const auto reply = Ask(request);
+  const Reply reply = Ask(request);
   EXPECT_EQ(reply.status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
   EXPECT_EQ(reply.status.error_message(),
             "the request has 3001 pairs; max_pairs is 3000 (limit "
@@ -210,11 +195,10 @@ TEST_F(HeldPairsTest, CancellingStopsItsWork) {
     request.add_vertex_pairs(i / 20);
     request.add_vertex_pairs(50 + i % 20);
   }
-  grpc::ClientContext context;
-  const auto reader = Begin(context, request);
+  const auto call = Open(request);
   solver_.WaitForStarts(1);
-  context.TryCancel();
-  EXPECT_EQ(ReadAll(*reader).status.error_code(), grpc::StatusCode::CANCELLED);
+  call->context.TryCancel();
+  EXPECT_EQ(call->End().error_code(), grpc::StatusCode::CANCELLED);
   EXPECT_TRUE(
       server_->engine().scheduler().WaitIdle(std::chrono::seconds(120)));
   EXPECT_EQ(server_->engine().solver_memory().used(), 0);

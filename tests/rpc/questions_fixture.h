@@ -1,4 +1,4 @@
-// A server that holds a flat grid, and calls of its streaming RPCs.
+// A server that holds a flat grid, and questions about it.
 
 #ifndef GEODESIC_TESTS_RPC_QUESTIONS_FIXTURE_H_
 #define GEODESIC_TESTS_RPC_QUESTIONS_FIXTURE_H_
@@ -17,9 +17,6 @@
 #include <utility>
 #include <vector>
 
-#include "geodesic/v1/matrix_service.grpc.pb.h"
-#include "geodesic/v1/pair_service.grpc.pb.h"
-#include "geodesic/v1/path_service.grpc.pb.h"
 #include "tests/rpc/rpc_fixture.h"
 #include "tests/support/planar_meshes.h"
 
@@ -31,19 +28,6 @@ inline double Euclid(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-template <typename T>
-std::vector<T> Values(const std::string& bytes) {
-  std::vector<T> values(bytes.size() / sizeof(T));
-  std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
-  return values;
-}
-
-template <typename Response>
-struct StreamReply {
-  grpc::Status status;
-  std::vector<Response> messages;
-};
-
 // On the grid geodesics are straight, so every distance is Euclid's.
 class QuestionsTest : public RpcTest {
  protected:
@@ -53,71 +37,18 @@ class QuestionsTest : public RpcTest {
 
   void StartWithGrid(bool held, const ServerOptions& options = SmallServer()) {
     Start(options, held);
-    paths_ = v1::PathService::NewStub(channel_);
-    matrices_ = v1::MatrixService::NewStub(channel_);
-    pairs_ = v1::PairService::NewStub(channel_);
     soup_ = geodesic::test::MakeGrid({.columns = kSide, .rows = kSide});
     digest_ = Upload(soup_);
   }
 
-  // Reads a stream to its end.
-  template <typename Response>
-  static StreamReply<Response> ReadAll(grpc::ClientReader<Response>& reader) {
-    StreamReply<Response> reply;
-    Response message;
-    while (reader.Read(&message)) reply.messages.push_back(message);
-    reply.status = reader.Finish();
-    return reply;
-  }
-
-  // Begins a call.
-  auto Begin(grpc::ClientContext& context,
-             const v1::ComputeFieldRequest& request) {
-    return fields_->ComputeField(&context, request);
-  }
-  auto Begin(grpc::ClientContext& context,
-             const v1::ComputeLogMapRequest& request) {
-    return fields_->ComputeLogMap(&context, request);
-  }
-  auto Begin(grpc::ClientContext& context,
-             const v1::SampleFarthestPointsRequest& request) {
-    return fields_->SampleFarthestPoints(&context, request);
-  }
-  auto Begin(grpc::ClientContext& context,
-             const v1::ComputePathsRequest& request) {
-    return paths_->ComputePaths(&context, request);
-  }
-  auto Begin(grpc::ClientContext& context,
-             const v1::ComputeIsolinesRequest& request) {
-    return paths_->ComputeIsolines(&context, request);
-  }
-  auto Begin(grpc::ClientContext& context,
-             const v1::ComputeMatrixRequest& request) {
-    return matrices_->ComputeMatrix(&context, request);
-  }
-  auto Begin(grpc::ClientContext& context,
-             const v1::FindNearestRequest& request) {
-    return matrices_->FindNearest(&context, request);
-  }
-  auto Begin(grpc::ClientContext& context,
-             const v1::ComputePairsRequest& request) {
-    return pairs_->ComputePairs(&context, request);
-  }
-
+  // A whole answer. Throws, which fails the test, if it is refused.
   template <typename Request>
-  auto Ask(const Request& request) {
-    grpc::ClientContext context;
-    return ReadAll(*Begin(context, request));
-  }
-
-  // The messages of an answer. Throws, which fails the test, if it is refused.
-  template <typename Request>
-  auto Messages(const Request& request) {
-    auto reply = Ask(request);
+  Reply Answered(const Request& request) {
+    Reply reply = Ask(request);
     if (!reply.status.ok()) {
       throw std::runtime_error(reply.status.error_message());
     }
-    return std::move(reply.messages);
+    return reply;
   }
 
   template <typename Request>
@@ -128,7 +59,7 @@ class QuestionsTest : public RpcTest {
   // The field at fault of a request that is refused before anything is sent.
   template <typename Request>
   std::string Fault(const Request& request) {
-    const auto reply = Ask(request);
+    const Reply reply = Ask(request);
     EXPECT_TRUE(reply.messages.empty());
     EXPECT_EQ(reply.status.error_code(), grpc::StatusCode::INVALID_ARGUMENT)
         << reply.status.error_message();
@@ -179,9 +110,6 @@ class QuestionsTest : public RpcTest {
 
   TriangleSoup soup_;
   std::string digest_;
-  std::unique_ptr<v1::PathService::Stub> paths_;
-  std::unique_ptr<v1::MatrixService::Stub> matrices_;
-  std::unique_ptr<v1::PairService::Stub> pairs_;
 };
 
 }  // namespace geodesic::server::test

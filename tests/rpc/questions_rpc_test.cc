@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -19,7 +20,7 @@ namespace {
 
 using test::Euclid;
 using test::kInfinity;
-using test::Values;
+using test::Reply;
 
 class QuestionsRpcTest : public test::QuestionsTest {
  protected:
@@ -53,17 +54,6 @@ class QuestionsRpcTest : public test::QuestionsTest {
     return request;
   }
 
-  void ExpectHeader(const v1::AnswerHeader& header) const {
-    EXPECT_EQ(header.mesh_digest(), digest_);
-    EXPECT_EQ(header.vertex_count(), soup_.positions.size());
-    EXPECT_EQ(header.algorithm(), v1::ALGORITHM_FWP_LIST);
-    EXPECT_EQ(header.relative_tolerance(), 1e-10);
-    EXPECT_EQ(header.server_version(), ServerVersion());
-  }
-  void ExpectHeader(const v1::MatrixHeader& header) const {
-    ExpectHeader(header.answer());
-  }
-
   // What every question has: a header, a trailer, priorities, and as errors an
   // algorithm that nobody knows, a digest that is none, and a mesh that is not
   // there.
@@ -73,10 +63,15 @@ class QuestionsRpcTest : public test::QuestionsTest {
     ExpectFaults(request, {{"priority: 99", "priority"},
                            {"algorithm: 99", "algorithm"}});
     request.set_priority(v1::PRIORITY_BATCH);
-    const auto messages = Messages(request);
-    ExpectHeader(messages.front().header());
-    EXPECT_GT(messages.back().trailer().windows_propagated(), 0);
-    EXPECT_GT(messages.back().trailer().item_count(), 0);
+    const Reply reply = Answered(request);
+    EXPECT_EQ(reply.header().mesh_digest(), digest_);
+    EXPECT_EQ(reply.header().vertex_count(), soup_.positions.size());
+    EXPECT_EQ(reply.header().algorithm(), v1::ALGORITHM_FWP_LIST);
+    EXPECT_EQ(reply.header().server_version(), ServerVersion());
+    EXPECT_EQ(reply.header().origin(), v1::ANSWER_ORIGIN_COMPUTED);
+    EXPECT_EQ(reply.trailer().relative_tolerance(), 1e-10);
+    EXPECT_GT(reply.trailer().windows_propagated(), 0);
+    EXPECT_NE(reply.answer_id(), "");
     request.set_mesh_digest("horse");
     EXPECT_EQ(Fault(request), "mesh_digest");
     request.set_mesh_digest(std::string(64, 'a'));
@@ -126,23 +121,6 @@ TEST_F(QuestionsRpcTest, WrongArgumentsAreNamed) {
                {{"count: 1", "targets"}, {"targets { vertex: 1 }", "count"}});
 }
 
-// The bytes of all parts, without what tells how and when they were computed.
-template <typename Messages>
-std::string Answer(const Messages& messages) {
-  std::string answer;
-  for (auto message : messages) {
-    if (message.has_header() || message.has_progress() ||
-        message.has_trailer()) {
-      continue;
-    }
-    if constexpr (requires { message.mutable_chunk()->clear_field_id(); }) {
-      if (message.has_chunk()) message.mutable_chunk()->clear_field_id();
-    }
-    answer += message.SerializeAsString();
-  }
-  return answer;
-}
-
 TEST_F(QuestionsRpcTest, VerticesMayComeInTheShortForm) {
   const auto expect_equal = [&](auto request) {
     SCOPED_TRACE(request.GetTypeName());
@@ -158,9 +136,12 @@ TEST_F(QuestionsRpcTest, VerticesMayComeInTheShortForm) {
         packed.add_vertex_sources(static_cast<uint32_t>(source.vertex()));
       }
     }
-    const std::string answer = Answer(Messages(packed));
-    EXPECT_GT(answer.size(), sizeof(double));
-    EXPECT_TRUE(answer == Answer(Messages(request)));
+    const Reply reply = Answered(request);
+    const Reply again = Answered(packed);
+    for (int i = 0; i < reply.header().arrays_size(); ++i) {
+      EXPECT_FALSE(reply.Bytes(i).empty());
+      EXPECT_TRUE(again.Bytes(i) == reply.Bytes(i));
+    }
     ExpectFaults(packed, {{"targets { vertex: 1 }", "vertex_targets"},
                           {"vertex_targets: 1000", "targets[3].vertex"}});
     if constexpr (requires { packed.vertex_sources(); }) {
@@ -234,17 +215,14 @@ TEST_F(QuestionsRpcTest, PathsNumberSourcesAsTheRequestDoes) {
   request.add_targets()->set_vertex(Vertex(9, 9));
   request.add_targets()->set_vertex(Vertex(9, 1));
   request.add_targets()->set_vertex(Vertex(1, 1));
-  const auto messages = Messages(request);
-  uint64_t target = 0;
-  for (const auto& message : messages) {
-    if (!message.has_path()) continue;
-    EXPECT_EQ(message.path().source(), target);
-    EXPECT_NEAR(message.path().length(), std::sqrt(2), 1e-10);
-    EXPECT_NEAR(message.path().distance(),
-                std::sqrt(2) + (target == 0 ? 0.5 : 0), 1e-10);
-    ++target;
+  const Reply reply = Answered(request);
+  EXPECT_EQ(reply.Values<uint32_t>("source"), (std::vector<uint32_t>{0, 1, 2}));
+  const auto lengths = reply.Values<double>("length");
+  const auto distances = reply.Values<double>("distance");
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(lengths[i], std::sqrt(2), 1e-10);
+    EXPECT_NEAR(distances[i], std::sqrt(2) + (i == 0 ? 0.5 : 0), 1e-10);
   }
-  EXPECT_EQ(target, 3);
 }
 
 TEST_F(QuestionsRpcTest, WhatIsNotReachedHasNoPath) {
@@ -252,14 +230,12 @@ TEST_F(QuestionsRpcTest, WhatIsNotReachedHasNoPath) {
   request.set_radius(4);
   // Once computed, once from a field that reaches further.
   for (int i = 0; i < 2; ++i) {
-    const auto messages = Messages(request);
-    for (const auto& message : messages) {
-      if (!message.has_path()) continue;
-      EXPECT_EQ(message.path().length(), kInfinity);
-      EXPECT_EQ(message.path().distance(), kInfinity);
-      EXPECT_FALSE(message.path().has_source());
-      EXPECT_EQ(message.path().piece().point_count(), 0);
-    }
+    const Reply reply = Answered(request);
+    EXPECT_EQ(reply.Values<double>("length"), std::vector{kInfinity});
+    EXPECT_EQ(reply.Values<double>("distance"), std::vector{kInfinity});
+    EXPECT_EQ(reply.Values<uint32_t>("source"), std::vector{0xffffffff});
+    EXPECT_EQ(reply.Values<uint64_t>("line_end"), std::vector<uint64_t>{0});
+    EXPECT_TRUE(reply.Values<Point>("position").empty());
     v1::ComputePathsRequest further = request;
     further.clear_radius();
     EXPECT_EQ(CodeOf(further), grpc::StatusCode::OK);
@@ -272,46 +248,51 @@ TEST_F(QuestionsRpcTest, LongPathsTakeSeveralMessages) {
   digest_ = Upload(soup_);
   auto request = From<v1::ComputePathsRequest>(0);
   request.add_targets()->set_vertex(2 * 9001 - 1);
-  const auto messages = Messages(request);
-  std::vector<Point> points;
-  int pieces = 0;
-  for (const auto& message : messages) {
-    if (!message.has_path()) continue;
-    ++pieces;
-    const v1::PolylinePiece& piece = message.path().piece();
-    EXPECT_EQ(piece.first_point(), points.size());
-    const auto more = Values<Point>(piece.positions());
-    points.insert(points.end(), more.begin(), more.end());
-    EXPECT_NEAR(message.path().length(), std::hypot(9000, 1), 1e-6);
-  }
-  EXPECT_GT(pieces, 1);
+  const Reply reply = Answered(request);
+  EXPECT_GT(reply.pieces(), 1);
+  const auto points = reply.Values<Point>("position");
+  EXPECT_EQ(reply.Values<uint64_t>("line_end"), std::vector{points.size()});
   double length = 0;
   for (size_t i = 1; i < points.size(); ++i) {
     length += Euclid(points[i - 1], points[i]);
   }
   EXPECT_NEAR(length, std::hypot(9000, 1), 1e-6);
+  EXPECT_NEAR(reply.Values<double>("length")[0], length, 1e-6);
 }
 
 TEST_F(QuestionsRpcTest, AMatrixSaysItsShape) {
   v1::ComputeMatrixRequest request = Matrix();
   request.set_value_type(v1::VALUE_TYPE_FLOAT32);
-  const auto messages = Messages(request);
-  const v1::MatrixHeader& header = messages.front().header();
-  EXPECT_EQ(header.row_count(), 2);
-  EXPECT_EQ(header.column_count(), soup_.positions.size());
-  EXPECT_EQ(header.value_type(), v1::VALUE_TYPE_FLOAT32);
-  EXPECT_EQ(header.layout(), v1::MATRIX_LAYOUT_DENSE);
-  const std::vector<Point> rows = {{9, 9, 0}, {0, 4, 0}};
-  for (const auto& message : messages) {
-    if (!message.has_chunk()) continue;
-    const auto values = Values<float>(message.chunk().values());
-    ASSERT_EQ(values.size(), soup_.positions.size());
-    EXPECT_FLOAT_EQ(values[0],
-                    Euclid(rows[message.chunk().row()], soup_.positions[0]));
-  }
+  const Reply reply = Answered(request);
+  const v1::ArrayInfo& array = reply.header().arrays(0);
+  EXPECT_EQ(array.ShortDebugString(),
+            "name: \"distance\" type: VALUE_TYPE_FLOAT32 shape: 2 shape: 121");
+  const auto values = reply.Values<float>("distance");
+  EXPECT_FLOAT_EQ(values[0], Euclid({9, 9, 0}, soup_.positions[0]));
+  EXPECT_FLOAT_EQ(values[121], Euclid({0, 4, 0}, soup_.positions[0]));
+}
+
+TEST_F(QuestionsRpcTest, ASparseMatrixHasWhatIsFinite) {
+  v1::ComputeMatrixRequest request = Matrix();
+  request.set_radius(2.5);
+  const auto dense = Answered(request).Values<double>("distance");
   request.set_layout(v1::MATRIX_LAYOUT_SPARSE);
-  EXPECT_EQ(Messages(request).front().header().layout(),
-            v1::MATRIX_LAYOUT_SPARSE);
+  const Reply reply = Answered(request);
+  const auto row_ends = reply.Values<uint64_t>("row_end");
+  const auto columns = reply.Values<uint32_t>("column");
+  const auto values = reply.Values<double>("distance");
+  size_t next = 0;
+  for (size_t row = 0; row < 2; ++row) {
+    for (uint32_t column = 0; column < 121; ++column) {
+      const double distance = dense[row * 121 + column];
+      if (distance == kInfinity) continue;
+      ASSERT_LT(next, values.size());
+      EXPECT_EQ(columns[next], column);
+      EXPECT_EQ(values[next++], distance);
+    }
+    EXPECT_EQ(row_ends[row], next);
+  }
+  EXPECT_EQ(columns.size(), next);
 }
 
 class HeldMatrixTest : public QuestionsRpcTest {
@@ -328,21 +309,21 @@ TEST_F(HeldMatrixTest, AStalledReaderHoldsAFewRows) {
   request.set_mesh_digest(digest_);
   for (int i = 0; i < 40; ++i) request.add_sources()->set_vertex(i);
   // The client must not read ahead.
-  const auto slow = v1::MatrixService::NewStub(SlowChannel(server_->port()));
-  grpc::ClientContext context;
-  const auto reader = slow->ComputeMatrix(&context, request);
-  v1::ComputeMatrixResponse message;
-  ASSERT_TRUE(reader->Read(&message));
+  questions_ = v1::QuestionService::NewStub(SlowChannel(server_->port()));
+  const auto call = Open(request);
+  ASSERT_TRUE(call->Read());
+  questions_ = v1::QuestionService::NewStub(channel_);
   // The jobs end by themselves: no more are submitted.
   EXPECT_TRUE(
       server_->engine().scheduler().WaitIdle(std::chrono::seconds(120)));
   // Questions of others are answered.
-  EXPECT_TRUE(ComputeField(digest_, 0).status.ok());
+  EXPECT_TRUE(Ask(digest_, 0).status.ok());
   EXPECT_LT(solver_.starts(), 40);
   // Then it goes on to the end.
-  const auto rest = ReadAll(*reader);
-  EXPECT_TRUE(rest.status.ok()) << rest.status.error_message();
-  EXPECT_EQ(rest.messages.back().trailer().item_count(), 40);
+  Reply reply = test::ReadAll(*call->reader);
+  EXPECT_TRUE(reply.status.ok()) << reply.status.error_message();
+  reply.messages.insert(reply.messages.begin(), call->message);
+  test::ExpectRules(reply, {});
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstring>
 #include <utility>
 
 #include "absl/strings/cord.h"
@@ -76,7 +75,7 @@ void HeldSolver::WaitForStarts(int count) {
   changed_.wait(lock, [&] { return starts_ >= count; });
 }
 
-grpc::Status OpenField::End() {
+grpc::Status OpenCall::End() {
   while (Read()) {
   }
   return reader->Finish();
@@ -138,7 +137,7 @@ void RpcTest::StartWith(const ServerOptions& options, StartFunction start) {
       grpc::CreateCustomChannel(absl::StrCat("127.0.0.1:", server_->port()),
                                 grpc::InsecureChannelCredentials(), arguments);
   meshes_ = v1::MeshService::NewStub(channel_);
-  fields_ = v1::FieldService::NewStub(channel_);
+  questions_ = v1::QuestionService::NewStub(channel_);
 }
 
 grpc::Status RpcTest::Upload(const v1::UploadHeader& header,
@@ -177,45 +176,6 @@ v1::ComputeFieldRequest RpcTest::FieldRequest(const std::string& digest,
   return request;
 }
 
-std::unique_ptr<OpenField> RpcTest::Open(const v1::ComputeFieldRequest& request,
-                                         const std::string& token) {
-  auto call = std::make_unique<OpenField>();
-  AddToken(token, call->context);
-  call->reader = fields_->ComputeField(&call->context, request);
-  return call;
-}
-
-FieldReply RpcTest::ComputeField(const v1::ComputeFieldRequest& request,
-                                 grpc::ClientContext& context) {
-  FieldReply reply;
-  const auto reader = fields_->ComputeField(&context, request);
-  v1::ComputeFieldResponse message;
-  while (reader->Read(&message)) {
-    if (message.has_chunk()) {
-      const std::string& bytes = message.chunk().distances();
-      EXPECT_EQ(message.chunk().offset(), reply.distances.size());
-      EXPECT_EQ(bytes.size() % sizeof(double), 0);
-      reply.distances.resize(reply.distances.size() +
-                             bytes.size() / sizeof(double));
-      std::memcpy(reply.distances.data() + message.chunk().offset(),
-                  bytes.data(), bytes.size());
-      message.mutable_chunk()->clear_distances();
-    }
-    reply.messages.push_back(message);
-  }
-  reply.status = reader->Finish();
-  return reply;
-}
-
-FieldReply RpcTest::ComputeField(const v1::ComputeFieldRequest& request) {
-  grpc::ClientContext context;
-  return ComputeField(request, context);
-}
-
-FieldReply RpcTest::ComputeField(const std::string& digest, uint64_t vertex) {
-  return ComputeField(FieldRequest(digest, vertex));
-}
-
 std::shared_ptr<grpc::Channel> RpcTest::SlowChannel(int port) {
   grpc::ChannelArguments arguments;
   arguments.SetInt(GRPC_ARG_HTTP2_BDP_PROBE, 0);
@@ -240,8 +200,7 @@ v1::UploadHeader ArraysHeader(const TriangleSoup& soup) {
 
 std::vector<const google::protobuf::MethodDescriptor*> AllMethods() {
   std::vector<const google::protobuf::MethodDescriptor*> methods;
-  for (const char* name :
-       {"Mesh", "Field", "Path", "Matrix", "Pair", "Capabilities"}) {
+  for (const char* name : {"Mesh", "Question", "Capabilities"}) {
     const auto* service =
         google::protobuf::DescriptorPool::generated_pool()->FindServiceByName(
             absl::StrCat("geodesic.v1.", name, "Service"));

@@ -12,19 +12,23 @@
 #include <gtest/gtest.h>
 
 #include <condition_variable>
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "absl/status/statusor.h"
 #include "geodesic/computation.h"
 #include "geodesic/triangle_soup.h"
-#include "geodesic/v1/field_service.grpc.pb.h"
 #include "geodesic/v1/mesh_service.grpc.pb.h"
+#include "geodesic/v1/question_service.grpc.pb.h"
 #include "server/server.h"
+#include "tests/rpc/reply.h"
 
 namespace geodesic::server::test {
 
@@ -64,23 +68,19 @@ class HeldSolver {
   int starts_ = 0;
 };
 
-// A ComputeField call under way.
-struct OpenField {
+// Adds the token, if there is one, to a call.
+void AddToken(const std::string& token, grpc::ClientContext& context);
+
+// A question under way.
+struct OpenCall {
   grpc::ClientContext context;
-  std::unique_ptr<grpc::ClientReader<v1::ComputeFieldResponse>> reader;
-  v1::ComputeFieldResponse message;  // that was read last
+  std::unique_ptr<AnswerReader> reader;
+  v1::Answer message;  // that was read last
 
   // Whether there was one more message.
   bool Read() { return reader->Read(&message); }
   // Reads to the end.
   grpc::Status End();
-};
-
-// Everything a ComputeField call brought.
-struct FieldReply {
-  grpc::Status status;
-  std::vector<v1::ComputeFieldResponse> messages;  // without the chunks' data
-  std::vector<double> distances;
 };
 
 class RpcTest : public ::testing::Test {
@@ -104,15 +104,32 @@ class RpcTest : public ::testing::Test {
   static v1::ComputeFieldRequest FieldRequest(const std::string& digest,
                                               uint64_t vertex);
   // Begins a call, and reads nothing.
-  std::unique_ptr<OpenField> Open(const v1::ComputeFieldRequest& request,
-                                  const std::string& token = "");
-  std::unique_ptr<OpenField> Open(const std::string& digest, uint64_t vertex) {
+  template <typename Request>
+  std::unique_ptr<OpenCall> Open(const Request& request,
+                                 const std::string& token = "") {
+    auto call = std::make_unique<OpenCall>();
+    AddToken(token, call->context);
+    call->reader = Begin(request, call->context);
+    return call;
+  }
+  std::unique_ptr<OpenCall> Open(const std::string& digest, uint64_t vertex) {
     return Open(FieldRequest(digest, vertex));
   }
-  FieldReply ComputeField(const v1::ComputeFieldRequest& request,
-                          grpc::ClientContext& context);
-  FieldReply ComputeField(const v1::ComputeFieldRequest& request);
-  FieldReply ComputeField(const std::string& digest, uint64_t vertex);
+  // Calls and reads to the end; what came keeps the rules.
+  template <typename Request>
+  Reply Ask(const Request& request, grpc::ClientContext& context) {
+    Reply reply = ReadAll(*Begin(request, context));
+    ExpectRules(reply, request.resumption());
+    return reply;
+  }
+  template <typename Request>
+  Reply Ask(const Request& request) {
+    grpc::ClientContext context;
+    return Ask(request, context);
+  }
+  Reply Ask(const std::string& digest, uint64_t vertex) {
+    return Ask(FieldRequest(digest, vertex));
+  }
 
   // Another connection to this port of the machine, on which no more of an
   // answer comes than is read.
@@ -122,11 +139,24 @@ class RpcTest : public ::testing::Test {
   std::unique_ptr<Server> server_;
   std::shared_ptr<grpc::Channel> channel_;
   std::unique_ptr<v1::MeshService::Stub> meshes_;
-  std::unique_ptr<v1::FieldService::Stub> fields_;
-};
+  std::unique_ptr<v1::QuestionService::Stub> questions_;
 
-// Adds the token, if there is one, to a call.
-void AddToken(const std::string& token, grpc::ClientContext& context);
+ private:
+  // Calls the method that takes such a request.
+  template <typename Request>
+  std::unique_ptr<AnswerReader> Begin(const Request& request,
+                                      grpc::ClientContext& context) {
+    using Stub = v1::QuestionService::Stub;
+    using Method = std::unique_ptr<AnswerReader> (Stub::*)(grpc::ClientContext*,
+                                                           const Request&);
+    constexpr std::tuple kMethods(
+        &Stub::ComputeField, &Stub::ComputePaths, &Stub::ComputePairs,
+        &Stub::ComputeMatrix, &Stub::FindNearest, &Stub::ComputeIsolines,
+        &Stub::SampleFarthestPoints, &Stub::ComputeLogMap, &Stub::TraceLines);
+    return std::invoke(std::get<Method>(kMethods), *questions_, &context,
+                       request);
+  }
+};
 
 // The header of an upload of these arrays.
 v1::UploadHeader ArraysHeader(const TriangleSoup& soup);

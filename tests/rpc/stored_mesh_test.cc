@@ -45,7 +45,7 @@ class StoredMeshTest : public test::RpcTest {
     Start(OneThread());
     first_ = Upload(geodesic::test::Icosphere(1));
     second_ = Upload(geodesic::test::Icosphere(2));
-    ASSERT_TRUE(ComputeField(second_, 0).status.ok());
+    ASSERT_TRUE(Ask(second_, 0).status.ok());
     // A field is written when nothing else is to do.
     ASSERT_TRUE(server_->engine().scheduler().WaitIdle(kLong));
     server_.reset();
@@ -69,7 +69,7 @@ class StoredMeshTest : public test::RpcTest {
   geodesic::test::TemporaryFolder temporary_;
   std::string first_;
   std::string second_;
-  std::unique_ptr<test::OpenField> busy_;
+  std::unique_ptr<test::OpenCall> busy_;
 };
 
 TEST_F(StoredMeshTest, AMeshWhoseFileWasRemovedIsWrittenAgain) {
@@ -103,7 +103,7 @@ TEST_F(StoredMeshTest, AMeshWhoseFileWasRemovedIsWrittenAgain) {
   }
   server_.reset();
   Start(OneThread());
-  EXPECT_TRUE(ComputeField(digest, 0).status.ok());
+  EXPECT_TRUE(Ask(digest, 0).status.ok());
 }
 
 TEST_F(StoredMeshTest, UploadsSayThatTheDataFolderIsGone) {
@@ -118,7 +118,7 @@ TEST_F(StoredMeshTest, UploadsSayThatTheDataFolderIsGone) {
   EXPECT_THAT(status.error_message(),
               ::testing::HasSubstr("its data folder has been removed"));
   // What is in memory answers.
-  EXPECT_TRUE(ComputeField(first, 0).status.ok());
+  EXPECT_TRUE(Ask(first, 0).status.ok());
 }
 
 TEST_F(StoredMeshTest, AQuestionWaitsForItsMesh) {
@@ -128,21 +128,20 @@ TEST_F(StoredMeshTest, AQuestionWaitsForItsMesh) {
   EndBusy();
   ASSERT_TRUE(call->Read());
   EXPECT_EQ(call->message.header().mesh_digest(), second_);
-  EXPECT_EQ(call->message.header().origin(), v1::FIELD_ORIGIN_CACHED);
+  EXPECT_EQ(call->message.header().origin(), v1::ANSWER_ORIGIN_CACHED);
   EXPECT_TRUE(call->End().ok());
   EXPECT_EQ(server_->engine().counters().meshes_loaded, 2);
 }
 
 // Its mesh is in memory, so that loading it would not help.
-TEST_F(StoredMeshTest, AFieldThatIsNotKeptIsNotFound) {
+TEST_F(StoredMeshTest, AnAnswerThatIsNotKeptIsNotFound) {
   Start(OneThread());
   v1::ComputeFieldRequest request =
       FieldRequest(Upload(geodesic::test::Icosphere(1)), 0);
-  request.mutable_resumption()->set_field_id(std::string(64, 'a'));
-  grpc::ClientContext context;
-  const grpc::Status status = ComputeField(request, context).status;
+  request.mutable_resumption()->set_answer_id(std::string(64, 'a'));
+  const grpc::Status status = Ask(request).status;
   EXPECT_EQ(status.error_code(), grpc::StatusCode::NOT_FOUND);
-  EXPECT_EQ(test::Reason(status), "FIELD_NOT_KEPT");
+  EXPECT_EQ(test::Reason(status), "ANSWER_NOT_KEPT");
 }
 
 TEST_F(StoredMeshTest, WhoCancelsWaitsNoLonger) {
@@ -162,7 +161,7 @@ TEST_F(StoredMeshTest, ADeadlineEndsTheWait) {
   grpc::ClientContext context;
   context.set_deadline(std::chrono::system_clock::now() +
                        std::chrono::milliseconds(200));
-  EXPECT_EQ(ComputeField(FieldRequest(second_, 0), context).status.error_code(),
+  EXPECT_EQ(Ask(FieldRequest(second_, 0), context).status.error_code(),
             grpc::StatusCode::DEADLINE_EXCEEDED);
   WaitForLoads(0);
   EndBusy();

@@ -190,7 +190,7 @@ def main():
     """PORT ATTACK: attacks, says how far it came, and stays connected until its
     input ends."""
     port, attack = int(sys.argv[1]), sys.argv[2]
-    field = "/geodesic.v1.FieldService/ComputeField"
+    field = "/geodesic.v1.QuestionService/ComputeField"
     connections = [Connection(port) for _ in range(4)]
     if attack == "half-requests":
         result = half_requests(connections, field, 40)

@@ -90,8 +90,8 @@ class SecureClientTest(unittest.TestCase):
         cls.addClassCleanup(cls.server.stop)
         with open(certificate, "rb") as file:
             cls.transport = grpc.ssl_channel_credentials(file.read())
-        cls.field_pb = stubs.field_service_pb2
-        cls.field_grpc = stubs.field_service_pb2_grpc
+        cls.question_pb = stubs.question_service_pb2
+        cls.question_grpc = stubs.question_service_pb2_grpc
         cls.mesh_pb = stubs.mesh_pb2
         cls.meshes_pb = stubs.mesh_service_pb2
         cls.meshes_grpc = stubs.mesh_service_pb2_grpc
@@ -127,13 +127,14 @@ class SecureClientTest(unittest.TestCase):
             ]), timeout=60).mesh.digest
 
     def compute(self, channel, digest, vertex, **more):
-        request = self.field_pb.ComputeFieldRequest(
+        request = self.question_pb.ComputeFieldRequest(
             mesh_digest=digest,
             sources=[self.surface_pb.Source(vertex=vertex)])
-        values = b""
-        for response in self.field_grpc.FieldServiceStub(channel).ComputeField(
-                request, timeout=60, **more):
-            values += response.chunk.distances
+        stub = self.question_grpc.QuestionServiceStub(channel)
+        values = b"".join(
+            block.values
+            for message in stub.ComputeField(request, timeout=60, **more)
+            for block in message.blocks)
         return struct.unpack("<%dd" % (len(values) // 8), values)
 
     def gained(self, before, name):
@@ -228,11 +229,11 @@ class SecureClientTest(unittest.TestCase):
 
     def test_a_decompression_bomb_is_an_oversized_message(self):
         # 100 MB that travel as 100 kB.
-        request = self.field_pb.ComputeFieldRequest(
+        request = self.question_pb.ComputeFieldRequest(
             mesh_digest="0" * 100_000_000)
         channel = self.connect()
         with self.assertRaises(grpc.RpcError) as caught:
-            list(self.field_grpc.FieldServiceStub(channel).ComputeField(
+            list(self.question_grpc.QuestionServiceStub(channel).ComputeField(
                 request, timeout=60, compression=grpc.Compression.Gzip))
         self.assertEqual(caught.exception.code(),
                          grpc.StatusCode.RESOURCE_EXHAUSTED)

@@ -9,11 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "geodesic/algorithm.h"
 #include "geodesic/mesh.h"
 #include "geodesic/query.h"
 #include "geodesic/surface_point.h"
 #include "geodesic/triangle_soup.h"
+#include "geodesic_types/algorithms.h"
 #include "tests/support/random.h"
 
 namespace geodesic::stress {

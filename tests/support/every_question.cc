@@ -7,8 +7,6 @@
 #include <utility>
 
 #include "absl/status/statusor.h"
-#include "geodesic/algorithm.h"
-#include "geodesic/approximate/method.h"
 #include "geodesic/approximate/prepare.h"
 #include "geodesic/field_quantities.h"
 #include "geodesic/isolines.h"
@@ -19,6 +17,7 @@
 #include "geodesic/solve.h"
 #include "geodesic/target_search.h"
 #include "geodesic/trace.h"
+#include "geodesic_types/algorithms.h"
 #include "tests/support/queries.h"
 
 namespace geodesic::test {

@@ -12,11 +12,11 @@
 #include <string_view>
 #include <vector>
 
-#include "geodesic/algorithm.h"
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
 #include "geodesic/query.h"
 #include "geodesic/triangle_soup.h"
+#include "geodesic_types/algorithms.h"
 #include "tests/support/queries.h"
 
 namespace geodesic::test {

@@ -52,9 +52,9 @@ test("a call is cancelled when its fetch is aborted", async () => {
   const clients = connect(server.url);
   const stop = new AbortController();
   const error = await failure((async () => {
-    for await (const answer of clients.MatrixService.computeMatrix(
+    for await (const answer of clients.QuestionService.computeMatrix(
       longMatrix(digest), { signal: stop.signal })) {
-      if (answer.part.case === "chunk") stop.abort();
+      if (answer.blocks.length) stop.abort();
     }
   })());
   assert.equal(error.code, Code.Canceled);
@@ -67,7 +67,7 @@ test("a call is cancelled when its browser goes without a word", async () => {
   const body = frame(toBinary(schema, create(schema, longMatrix(digest))));
   const request = httpRequest({
     port: server.port,
-    path: "/geodesic.v1.MatrixService/ComputeMatrix",
+    path: "/geodesic.v1.QuestionService/ComputeMatrix",
     method: "POST",
     headers: { "content-type": "application/grpc-web+proto", "x-request-id": "gone-1" },
   });
@@ -82,7 +82,7 @@ test("a call is cancelled when its browser goes without a word", async () => {
 
 test("a deadline ends a call", async () => {
   const digest = await uploadGrid(server.url, bumpyGrid(152));
-  const error = await failure(all(connect(server.url).MatrixService.computeMatrix(
+  const error = await failure(all(connect(server.url).QuestionService.computeMatrix(
     longMatrix(digest), { timeoutMs: 300 })));
   assert.equal(error.code, Code.DeadlineExceeded);
   // The server's own clock stops the work, not only the client's.
@@ -327,7 +327,7 @@ test("the server ends in order while browsers are connected", async () => {
   const digest = await uploadGrid(other.url, bumpyGrid(60));
   const answers = [];
   const reading = (async () => {
-    for await (const answer of connect(other.url).MatrixService.computeMatrix(
+    for await (const answer of connect(other.url).QuestionService.computeMatrix(
       longMatrix(digest))) answers.push(answer);
   })().catch(() => {});
   await until(() => answers.length > 0);

@@ -1,5 +1,6 @@
 // connect-web as a browser's page uses it, on the protocol's own descriptors.
 
+import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -90,17 +91,18 @@ export async function all(stream) {
   return messages;
 }
 
-/** The values of the parts of one kind: parts(answers, "chunk"). */
-export const parts = (answers, kind) =>
-    answers.filter((answer) => answer.part.case === kind)
-      .map((answer) => answer.part.value);
+const kinds = [, Float64Array, Float32Array, Uint32Array, BigUint64Array, Uint8Array];
 
-/** Doubles, little endian, of several pieces. */
-export function doubles(pieces) {
-  const bytes = Buffer.concat(pieces);
-  return Array.from({ length: bytes.length / 8 }, (_, i) => bytes.readDoubleLE(8 * i));
-}
-export function numbers32(pieces) {
-  const bytes = Buffer.concat(pieces);
-  return Array.from({ length: bytes.length / 4 }, (_, i) => bytes.readUInt32LE(4 * i));
+/** What a complete answer has: `header`, `trailer`, and its arrays by name, flat. */
+export async function read(stream) {
+  let header, trailer;
+  const pieces = [];
+  for await (const answer of stream) {
+    header ??= answer.header;
+    trailer = answer.trailer;
+    for (const { array, values } of answer.blocks) (pieces[array] ??= []).push(values);
+  }
+  assert.ok(trailer, "no trailer");
+  return { header, trailer, ...Object.fromEntries(header.arrays.map(({ name, type }, i) =>
+    [name, Array.from(new kinds[type](new Uint8Array(Buffer.concat(pieces[i] ?? [])).buffer), Number)])) };
 }

@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { createHash } from "node:crypto";
 import { after, before, test } from "node:test";
 
-import { all, connect, doubles, number, numbers32, parts, service, services, upload } from "./client.mjs";
+import { all, connect, number, read, service, services, upload } from "./client.mjs";
 import { asArrays, distance, planarGrid } from "./grid.mjs";
 import { startServer } from "./server.mjs";
 
@@ -70,87 +70,72 @@ test("FindMissingMeshes, GetMesh, ListMeshes", async () => {
 
 test("ReadMesh gives the arrays back", async () => {
   const answers = await all(clients.MeshService.readMesh({ digest }));
-  const read = Buffer.concat([
-    ...parts(answers, "vertices").map((chunk) => chunk.positions),
-    ...parts(answers, "faces").map((chunk) => chunk.indices)]);
-  assert.ok(read.equals(bytes));
+  const parts = (kind) => answers.map(({ part }) => part).filter((part) => part.case === kind);
+  assert.ok(Buffer.concat([
+    ...parts("vertices").map((part) => part.value.positions),
+    ...parts("faces").map((part) => part.value.indices)]).equals(bytes));
 });
 
 test("ComputeField, at once and progressively", async () => {
   const request = { meshDigest: digest, sources: [from(0)] };
-  const answers = await all(clients.FieldService.computeField(request));
-  assertClose(doubles(parts(answers, "chunk").map((chunk) => chunk.distances)), euclid(0));
-  assert.equal(answers.at(-1).part.case, "trailer");
+  assertClose((await read(clients.QuestionService.computeField(request))).distance, euclid(0));
 
-  const settled = parts(
-    await all(clients.FieldService.computeField({ ...request, progressive: true })), "settled");
+  const found = await read(clients.QuestionService.computeField({ ...request, progressive: true }));
   const values = new Array(grid.positions.length);
-  const found = doubles(settled.map((chunk) => chunk.distances));
-  numbers32(settled.map((chunk) => chunk.vertices)).forEach((v, i) => { values[v] = found[i]; });
+  found.settled_vertex.forEach((v, i) => { values[v] = found.settled_distance[i]; });
   assertClose(values, euclid(0));
 });
 
 test("ComputeField, approximately", async () => {
-  const [{ part }] = await all(clients.FieldService.computeField(
+  const { header } = await read(clients.QuestionService.computeField(
     { meshDigest: digest, sources: [from(0)], algorithm: number("Algorithm", "HEAT") }));
-  assert.equal(part.case, "header");
-  assert.ok(part.value.approximation);
+  assert.ok(header.approximation);
 });
 
 test("ComputeLogMap keeps distances", async () => {
-  const answers = await all(clients.FieldService.computeLogMap(
+  const { coordinates } = await read(clients.QuestionService.computeLogMap(
     { meshDigest: digest, source: vertex(60) }));
-  const flat = doubles(parts(answers, "chunk").map((chunk) => chunk.coordinates));
-  const lengths = grid.positions.map((_, i) => Math.hypot(flat[2 * i], flat[2 * i + 1]));
-  assertClose(lengths, euclid(60));
+  assertClose(grid.positions.map((_, i) => Math.hypot(coordinates[2 * i], coordinates[2 * i + 1])), euclid(60));
 });
 
 test("SampleFarthestPoints begins with the far corner", async () => {
-  const answers = await all(clients.FieldService.sampleFarthestPoints(
+  const samples = await read(clients.QuestionService.sampleFarthestPoints(
     { meshDigest: digest, sources: [from(0)], count: 3n }));
-  const samples = parts(answers, "samples").flatMap((chunk) => chunk.samples);
-  assert.equal(samples.length, 3);
-  assert.equal(samples[0].vertex, BigInt(last));
-  assertClose([samples[0].distance], [Math.SQRT2]);
+  assert.equal(samples.vertex.length, 3);
+  assert.equal(samples.vertex[0], last);
+  assertClose([samples.distance[0]], [Math.SQRT2]);
 });
 
 test("ComputePaths", async () => {
-  const answers = await all(clients.PathService.computePaths(
+  const { length } = await read(clients.QuestionService.computePaths(
     { meshDigest: digest, sources: [from(0)], targets: [vertex(last)] }));
-  const [path] = parts(answers, "path");
-  assertClose([path.length], [Math.SQRT2]);
+  assertClose(length, [Math.SQRT2]);
 });
 
 test("ComputeIsolines are circles", async () => {
-  const answers = await all(clients.PathService.computeIsolines(
+  const { position, line_end } = await read(clients.QuestionService.computeIsolines(
     { meshDigest: digest, sources: [from(0)], levels: [0.5] }));
-  const lines = parts(answers, "isoline");
-  assert.ok(lines.length > 0);
-  for (const line of lines) {
-    const positions = doubles([line.piece.positions]);
-    for (let i = 0; i < positions.length; i += 3) {
-      assertClose([Math.hypot(positions[i], positions[i + 1])], [0.5]);
-    }
+  assert.ok(line_end.length > 0);
+  for (let i = 0; i < position.length; i += 3) {
+    assertClose([Math.hypot(position[i], position[i + 1])], [0.5]);
   }
 });
 
 test("ComputeMatrix and FindNearest", async () => {
   const rows = [0, 7, 60];
-  const answers = await all(clients.MatrixService.computeMatrix(
+  const matrix = await read(clients.QuestionService.computeMatrix(
     { meshDigest: digest, sources: rows.map(from) }));
-  assertClose(doubles(parts(answers, "chunk").map((chunk) => chunk.values)),
-    rows.flatMap(euclid));
-  const nearest = parts(await all(clients.MatrixService.findNearest({
+  assertClose(matrix.distance, rows.flatMap(euclid));
+  const nearest = await read(clients.QuestionService.findNearest({
     meshDigest: digest, sources: [from(0)], targets: [vertex(last), vertex(1)], count: 1n,
-  })), "chunk");
-  assert.deepEqual(numbers32(nearest.map((chunk) => chunk.targets)), [1]);
+  }));
+  assert.deepEqual(nearest.target, [1]);
 });
 
 test("ComputePairs", async () => {
-  const answers = await all(clients.PairService.computePairs(
+  const { distance } = await read(clients.QuestionService.computePairs(
     { meshDigest: digest, vertexPairs: [0, last, 1, 0] }));
-  assertClose(doubles(parts(answers, "chunk").map((chunk) => chunk.distances)),
-    [Math.SQRT2, 0.1]);
+  assertClose(distance, [Math.SQRT2, 0.1]);
 });
 
 test("DeleteMesh", async () => {

@@ -246,7 +246,7 @@ export class Explorer {
     const question = this.newQuestion(mesh);
     try {
       // Not both at once: they would share the server's processors.
-      if (takesPreview(mesh, question)) await this.preview(mesh, question, field, abort.signal);
+      if (takesPreview(mesh, question)) await this.preview(question, field, abort.signal);
       const summary = await this.answerTo(mesh, () => askField(this.connection, question, (part) => {
         field.add(part.vertices, part.distances);
         if (!field.isPreview) this.scene.redrawSurface();
@@ -267,10 +267,10 @@ export class Explorer {
   }
 
   // Shows the field nearly right.
-  private async preview(mesh: SurfaceMesh, question: FieldQuestion, field: FieldView, signal: AbortSignal): Promise<void> {
+  private async preview(question: FieldQuestion, field: FieldView, signal: AbortSignal): Promise<void> {
     try {
       const { distances } = await askDistances(
-        this.connection, { ...question, tolerance: PREVIEW_TOLERANCE }, mesh.vertexCount, signal);
+        this.connection, { ...question, tolerance: PREVIEW_TOLERANCE }, signal);
       if (signal.aborted) return;
       field.showPreview(distances);
       this.events.changed();
@@ -314,8 +314,7 @@ export class Explorer {
   private async paintCells(mesh: SurfaceMesh, field: FieldView): Promise<void> {
     try {
       const { signal } = this.fieldQuestion;
-      const cells = await this.answerTo(mesh, () => askCells(
-        this.connection, this.question(mesh), mesh.vertexCount, signal));
+      const cells = await this.answerTo(mesh, () => askCells(this.connection, this.question(mesh), signal));
       if (field !== this.field || !this.showsCells) return;
       field.paintCells(cells);
       this.repainted();
@@ -336,8 +335,7 @@ export class Explorer {
       const { field } = this;
       const question = { ...this.question(mesh), algorithm };
       const { signal } = this.fieldQuestion;
-      const { distances } = await this.answerTo(mesh, () => askDistances(
-        this.connection, question, mesh.vertexCount, signal));
+      const { distances } = await this.answerTo(mesh, () => askDistances(this.connection, question, signal));
       if (!field || field !== this.field) return undefined;
       const difference = differenceOf(field.distances, distances);
       this.wantsCells = false;
@@ -412,7 +410,7 @@ export class Explorer {
       const { signal } = this.meshQuestions;
       const curve = await this.answerTo(mesh, () => askCurve(this.connection, mesh.digest, places, signal));
       if (mesh !== this.mesh) return;
-      await this.setSources([...(alone ? [] : this.sources), { curve: curve.places }]);
+      await this.setSources([...(alone ? [] : this.sources), { curve }]);
     } catch (error) {
       this.reportAbout(mesh, error, () => this.addCurve(places, alone));
     }
@@ -537,8 +535,7 @@ export class Explorer {
     const { sources } = this;
     try {
       const question = this.newQuestion(mesh);
-      const { distances, summary } = await this.answerTo(mesh, () => askDistances(
-        this.connection, question, mesh.vertexCount, signal));
+      const { distances, summary } = await this.answerTo(mesh, () => askDistances(this.connection, question, signal));
       if (mesh !== this.mesh || signal.aborted) return;
       const field = this.beginField(mesh, sources);
       field.setAll(distances);

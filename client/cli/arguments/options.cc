@@ -124,6 +124,28 @@ void CheckPlaces(const QuestionArguments& question) {
   }
 }
 
+// Adds --algorithm as the question has it.
+void AddAlgorithmOf(CLI::App* app, QuestionArguments* question) {
+  std::vector<std::string> names = AlgorithmNames();
+  std::string help =
+      "How windows are propagated; all give the same distances. ";
+  if (question->may_be_approximate) {
+    const std::vector<std::string> more = ApproximateAlgorithmNames();
+    names.insert(names.end(), more.begin(), more.end());
+    help = absl::StrCat(
+        "How distances are found. Exact algorithms all give the same: ",
+        absl::StrJoin(AlgorithmNames(), ", "), ". ", absl::StrJoin(more, ", "),
+        " are approximate, and no bound on their error is known. ");
+    AddApproximation(app, &question->approximation);
+  }
+  AddAlgorithm(app, help + "Default: the server's choice, exact", names,
+               &question->algorithm);
+  // The names are too many for a line.
+  if (question->may_be_approximate) {
+    app->get_option("--algorithm")->type_name("NAME");
+  }
+}
+
 }  // namespace
 
 CLI::Option* AddText(CLI::App* app, const OptionText& text,
@@ -253,24 +275,7 @@ void AddTargets(CLI::App* app, Need need, const std::string& help,
 void AddQuestion(CLI::App* app, const std::string& output_help,
                  std::span<const OutputFormat> formats,
                  QuestionArguments* question, std::function<void()> check) {
-  std::vector<std::string> names = AlgorithmNames();
-  std::string help =
-      "How windows are propagated; all give the same distances. ";
-  if (question->may_be_approximate) {
-    const std::vector<std::string> more = ApproximateAlgorithmNames();
-    names.insert(names.end(), more.begin(), more.end());
-    help = absl::StrCat(
-        "How distances are found. Exact algorithms all give the same: ",
-        absl::StrJoin(AlgorithmNames(), ", "), ". ", absl::StrJoin(more, ", "),
-        " are approximate, and no bound on their error is known. ");
-    AddApproximation(app, &question->approximation);
-  }
-  AddAlgorithm(app, help + "Default: the server's choice, exact", names,
-               &question->algorithm);
-  // The names are too many for a line.
-  if (question->may_be_approximate) {
-    app->get_option("--algorithm")->type_name("NAME");
-  }
+  if (question->has_algorithm) AddAlgorithmOf(app, question);
   if (question->may_have_tolerance) AddTolerance(app, &question->tolerance);
   AddPriority(app, &question->priority);
   AddOutputs(app, output_help, formats, &question->outputs);

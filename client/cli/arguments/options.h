@@ -71,6 +71,8 @@ struct QuestionArguments {
   TargetArguments targets;
   std::optional<double> radius;
   bool float32 = false;
+  // Whether an algorithm may be named.
+  bool has_algorithm = true;
   std::string algorithm;
   // Whether the algorithm may be an approximate one. DEFAULT: exact ones alone.
   bool may_be_approximate = false;

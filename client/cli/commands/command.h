@@ -94,6 +94,7 @@ Command NearestCommand();
 Command PathCommand();
 Command SampleCommand();
 Command ServerCommand();
+Command TraceCommand();
 Command UploadCommand();
 Command ViewCommand();
 

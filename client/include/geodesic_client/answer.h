@@ -12,8 +12,8 @@
 
 namespace geodesic::client {
 
-// The exact algorithms this client can name: "fwp-ch", "fwp-mmp", "ich", "mmp",
-// "ch", "lc-mmp", "lc-ch", "fwp-list". All give the same distances. A server
+// The exact algorithms this client can name: "fwp-list", "fwp-ch", "fwp-mmp",
+// "ich", "mmp", "lc-ch", "lc-mmp", "ch". All give the same distances. A server
 // may offer fewer; see Client::GetCapabilities.
 std::vector<std::string> AlgorithmNames();
 
@@ -79,8 +79,8 @@ struct AnswerInfo {
   std::string algorithm;
   // Set if distances are approximate.
   std::optional<Approximation> approximation = {};
-  // The relative error of every distance is below this, which is the tolerance
-  // of the query if it has one; +infinity if they are approximate.
+  // The relative error of every distance is below this; +infinity if they are
+  // approximate.
   double relative_tolerance = 0;
   // Set if the answer was computed within the query's tolerance and is not
   // exact: no distance is farther from the truth than this part of it. At most

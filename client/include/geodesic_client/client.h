@@ -49,9 +49,9 @@ struct CallOptions {
 //
 // The client repeats uploads and calls that change nothing, up to three times,
 // if no server is there or if a full server says that waiting helps. If the
-// stream of ComputeField breaks, it reads on from there, or asks again for a
-// field that the server has dropped. ConnectionOptions::retry turns all that
-// off.
+// stream of an answer breaks, it reads on from there, or asks again if the
+// server no longer has the answer and no callback has received parts of it.
+// StreamField is not read on. ConnectionOptions::retry turns all that off.
 //
 // Errors have the server's code and message, and name the field of the request
 // that the server points at; errors.h reads the rest. Besides the errors listed
@@ -185,6 +185,11 @@ class Client {
   absl::StatusOr<LogMap> ComputeLogMap(
       const LogMapQuery& query, const CallOptions& options = {},
       const SolveProgressCallback& progress = nullptr);
+
+  // Lines that run straight on from places in directions.
+  absl::StatusOr<LineAnswer> TraceLines(
+      const LineQuery& query, const CallOptions& options = {},
+      const CountProgressCallback& progress = nullptr);
 
   // What the server can do and where its limits are.
   absl::StatusOr<Capabilities> GetCapabilities(const CallOptions& options = {});

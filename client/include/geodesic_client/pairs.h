@@ -65,7 +65,7 @@ struct PairReceiver {
 
 // How the pairs were answered.
 struct PairSummary {
-  // Its figures are the sums over all calls that it took.
+  // Its figures are the sums, or largest errors, of all calls that it took.
   AnswerInfo info;
   // Answered by a search of their own, by a field that the server computed for
   // several pairs with a common end, and by a field that it had already.
@@ -78,6 +78,8 @@ struct PairSummary {
     const AnswerInfo before = std::exchange(info, call.info);
     info.compute_seconds += before.compute_seconds;
     info.windows_propagated += before.windows_propagated;
+    info.relative_tolerance =
+        std::max(info.relative_tolerance, before.relative_tolerance);
     info.certified_error =
         std::max(info.certified_error, before.certified_error);
     searched += call.searched;

@@ -13,6 +13,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "absl/status/status.h"
@@ -224,6 +225,41 @@ struct LogMap {
   // The unit vector in space that has angle 0. Angles grow counterclockwise
   // seen from outside; around a vertex they are scaled to 2 pi for a full turn.
   Point zero_direction{};
+};
+
+// Lines that run straight on. Of sources, directions and lengths there is one
+// for all lines, or one for each.
+struct LineQuery {
+  std::string mesh_digest;
+  std::vector<SurfacePoint> sources;
+  // All of one kind: angles in the log map of the source; or vectors in space,
+  // of any length: a line starts in the direction of the surface that makes the
+  // least angle with its vector; or places to which such vectors lead.
+  std::variant<std::vector<double>, std::vector<Point>,
+               std::vector<SurfacePoint>>
+      directions;
+  // +infinity: to where the line ends.
+  std::vector<double> lengths;
+  std::string algorithm = {};
+  Priority priority = Priority::kInteractive;
+};
+
+// Why a line ends: it is as long as was asked for; it comes to a boundary; it
+// comes to an edge of three faces or more, a vertex where surfaces touch or a
+// face without area.
+enum class LineEnd : uint8_t { kLength, kBoundary, kSingular };
+
+// A line, straight across edges and past vertices.
+struct StraightLine {
+  Polyline line;
+  double length = 0;
+  LineEnd end = LineEnd::kLength;
+};
+
+// The lines, in order.
+struct LineAnswer {
+  AnswerInfo info;
+  std::vector<StraightLine> lines;
 };
 
 }  // namespace geodesic::client

@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "geodesic/algorithm.h"
 #include "geodesic/mesh.h"
+#include "geodesic_types/algorithms.h"
 
 namespace geodesic {
 

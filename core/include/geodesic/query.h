@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "geodesic/algorithm.h"
 #include "geodesic/surface_point.h"
+#include "geodesic_types/algorithms.h"
 #include "geodesic_types/places.h"
 
 namespace geodesic {

@@ -23,13 +23,13 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "geodesic/algorithm.h"
 #include "geodesic/checkpoint.h"
 #include "geodesic/distance_field.h"
 #include "geodesic/landmarks.h"
 #include "geodesic/mesh.h"
 #include "geodesic/path.h"
 #include "geodesic/valid_query.h"
+#include "geodesic_types/algorithms.h"
 
 namespace geodesic {
 

@@ -13,6 +13,8 @@
 #include <variant>
 #include <vector>
 
+#include "absl/functional/function_ref.h"
+#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "geodesic/checkpoint.h"
 #include "geodesic/mesh.h"
@@ -21,11 +23,13 @@
 namespace geodesic {
 
 class Compass;
+struct Heading;
 
 // The first direction of a line: an angle in the map that ComputeLogMap makes
-// around its place, or a vector in space, of any length: the line then starts
-// in the direction of the surface that makes the least angle with it.
-using LineDirection = std::variant<double, Point>;
+// around its place; or a vector in space, of any length: the line then starts
+// in the direction of the surface that makes the least angle with it; or a
+// place, to which such a vector leads.
+using LineDirection = std::variant<double, Point, SurfacePoint>;
 
 // Why a line ends.
 enum class TraceEnd {
@@ -77,22 +81,44 @@ class LineTracer {
   // and length.
   //
   // O(edges crossed + faces at vertices passed). Polls the checkpoint first and
-  // then at least every few thousand of these.
+  // then at least every few thousand of these, with the bytes of the line.
   // Errors: INVALID_ARGUMENT, with the path "direction" or "length": an angle
   // that leads out of the surface, a vector at right angles to it or away from
-  // it, a length that is negative or NaN, more than kMostTracedPoints; the
-  // checkpoint's.
+  // it, a place that is not on the mesh ("direction.vertex"), a length that is
+  // negative or NaN, more than kMostTracedPoints; the checkpoint's.
   absl::StatusOr<TracedLine> Trace(const LineDirection& direction,
                                    double length, Checkpoint& checkpoint) const;
 
  private:
   LineTracer(const Mesh& mesh, const SurfacePoint& place,
              std::unique_ptr<const Compass> compass);
+  // REQUIRES: a place is on the mesh. Errors: the compass's.
+  absl::StatusOr<Heading> HeadingOf(const LineDirection& direction) const;
 
   const Mesh* mesh_;
   SurfacePoint place_;
   std::unique_ptr<const Compass> compass_;
 };
+
+// Many lines. Of sources, directions and lengths there is one for all lines, or
+// one for each.
+struct LineQuestion {
+  std::vector<SurfacePoint> sources;
+  std::vector<LineDirection> directions;
+  std::vector<double> lengths;
+};
+
+// How many lines a question is about. Errors: INVALID_ARGUMENT naming the list
+// that is empty or of another length.
+absl::StatusOr<uint64_t> CountLines(const LineQuestion& question);
+
+// Calls `take` with the lines from number `begin` up to `end`, in order, as by
+// a LineTracer from each source. Thread-safe. REQUIRES: there are so many.
+// Errors: as LineTracer, with paths like "sources[2].face" and "lengths[0]";
+// those of `take`.
+absl::Status TraceLines(const Mesh& mesh, const LineQuestion& question,
+                        uint64_t begin, uint64_t end, Checkpoint& checkpoint,
+                        absl::FunctionRef<absl::Status(TracedLine line)> take);
 
 }  // namespace geodesic
 

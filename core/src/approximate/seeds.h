@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "geodesic/approximate/method.h"
 #include "geodesic/mesh.h"
 #include "geodesic/valid_query.h"
+#include "geodesic_types/algorithms.h"
 
 namespace geodesic {
 

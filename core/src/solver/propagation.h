@@ -18,12 +18,12 @@
 
 #include "absl/status/status.h"
 #include "absl/strings/str_cat.h"
-#include "geodesic/algorithm.h"
 #include "geodesic/checkpoint.h"
 #include "geodesic/computation.h"
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
 #include "geodesic/valid_query.h"
+#include "geodesic_types/algorithms.h"
 #include "geodesic_types/field_path.h"
 #include "mesh/file_unit.h"
 #include "solver/queues/queue.h"

@@ -5,8 +5,8 @@
 #include <type_traits>
 
 #include "absl/strings/str_cat.h"
-#include "geodesic/algorithm.h"
 #include "geodesic/solve.h"
+#include "geodesic_types/algorithms.h"
 #include "solver/accuracy.h"
 #include "solver/merged_computation.h"
 #include "solver/propagation.h"

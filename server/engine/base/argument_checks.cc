@@ -40,11 +40,11 @@ absl::Status CheckRadius(std::string_view field, double radius) {
                                           "; it must be a number >= 0"));
 }
 
-absl::Status FieldNotKept() {
+absl::Status AnswerNotKept() {
   return WithReason(
-      absl::NotFoundError("the field is no longer kept: ask for it again, "
+      absl::NotFoundError("the answer is no longer kept: ask for it again, "
                           "without a resumption"),
-      reason::kFieldNotKept);
+      reason::kAnswerNotKept);
 }
 
 absl::Status NotResident(const std::string& digest) {

@@ -23,8 +23,8 @@ absl::Status CheckCount(std::string_view things, uint64_t count,
 // Errors: INVALID_ARGUMENT naming `field` when it is negative or NaN.
 absl::Status CheckRadius(std::string_view field, double radius);
 
-// NOT_FOUND: the field to be resumed is no longer kept, or was replaced.
-absl::Status FieldNotKept();
+// NOT_FOUND: the answer to be resumed is no longer kept, or was replaced.
+absl::Status AnswerNotKept();
 
 absl::Status NotResident(const std::string& digest);
 

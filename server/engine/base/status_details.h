@@ -25,7 +25,7 @@ namespace reason {
 inline constexpr std::string_view kInvalidRequest = "INVALID_REQUEST";
 // NOT_FOUND
 inline constexpr std::string_view kMeshNotResident = "MESH_NOT_RESIDENT";
-inline constexpr std::string_view kFieldNotKept = "FIELD_NOT_KEPT";
+inline constexpr std::string_view kAnswerNotKept = "ANSWER_NOT_KEPT";
 // RESOURCE_EXHAUSTED, either for good or until other requests have ended
 inline constexpr std::string_view kLimitExceeded = "LIMIT_EXCEEDED";
 inline constexpr std::string_view kQueueFull = "QUEUE_FULL";
@@ -52,7 +52,7 @@ inline constexpr std::string_view kInternal = "INTERNAL";
 
 inline constexpr std::string_view kErrorReasons[] = {
     reason::kInvalidRequest,     reason::kMeshNotResident,
-    reason::kFieldNotKept,       reason::kLimitExceeded,
+    reason::kAnswerNotKept,      reason::kLimitExceeded,
     reason::kQueueFull,          reason::kMemoryFull,
     reason::kTooManyRequests,    reason::kServerFull,
     reason::kQuotaExceeded,      reason::kTokenMissing,

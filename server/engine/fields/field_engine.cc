@@ -259,7 +259,7 @@ absl::StatusOr<FieldCall> FieldEngine::Compute(
   const bool is_on_disk = !is_cached && files_ != nullptr &&
                           files_->Find(key.field, key.reach).has_value();
   const bool is_kept = is_cached || is_on_disk;
-  if (request.must_be_kept && !is_kept) return FieldNotKept();
+  if (request.must_be_kept && !is_kept) return AnswerNotKept();
 
   auto job = std::make_shared<FieldJob>(
       FieldJob{.mesh = mesh,

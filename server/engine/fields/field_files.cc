@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "geodesic/algorithm.h"
+#include "geodesic_types/algorithms.h"
 #include "server/engine/base/binary_codec.h"
 #include "server/engine/base/status_details.h"
 

@@ -18,6 +18,7 @@
 #include "absl/status/statusor.h"
 #include "geodesic/checkpoint.h"
 #include "geodesic/path.h"
+#include "geodesic/trace.h"
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/base/clock.h"
 #include "server/engine/jobs/solo_job.h"
@@ -34,6 +35,8 @@ struct MatrixRow {
   double certified_error = 0;
   // Of the values, if they were asked for.
   std::vector<GeodesicPath> paths;
+  // Of a question about straight lines, in place of values.
+  std::vector<TracedLine> lines;
 };
 
 // Computes a row in the `memory` it is given. Must be thread-safe, because rows

@@ -11,9 +11,9 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "geodesic/algorithm.h"
 #include "geodesic/query.h"
 #include "geodesic/solve_options.h"
+#include "geodesic_types/algorithms.h"
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/base/clock.h"
 #include "server/engine/base/limits.h"

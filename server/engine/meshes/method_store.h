@@ -14,9 +14,9 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "geodesic/algorithm.h"
 #include "geodesic/approximate/prepare.h"
 #include "geodesic/query.h"
+#include "geodesic_types/algorithms.h"
 #include "server/engine/base/lru_store.h"
 #include "server/engine/meshes/mesh_catalogue.h"
 #include "server/engine/meshes/mesh_store.h"
@@ -37,9 +37,6 @@ struct MethodHandle {
 // if it has none. IsNotPrepared tells this error from all others.
 absl::Status CheckPrepared(const std::optional<MethodHandle>& method);
 bool IsNotPrepared(const absl::Status& status);
-
-// How an answer comes about: exactly, or by an approximate method.
-using AlgorithmChoice = std::variant<Algorithm, MethodChoice>;
 
 // INVALID_ARGUMENT: this field of a request is no vertex, and approximate
 // methods know nothing else.

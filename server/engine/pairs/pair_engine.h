@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "geodesic/algorithm.h"
 #include "geodesic/solve_options.h"
+#include "geodesic_types/algorithms.h"
 #include "server/engine/base/clock.h"
 #include "server/engine/base/limits.h"
 #include "server/engine/fields/field_engine.h"

@@ -4,7 +4,6 @@
 #ifndef GEODESIC_SERVER_ENGINE_PAIRS_PAIR_ORDER_H_
 #define GEODESIC_SERVER_ENGINE_PAIRS_PAIR_ORDER_H_
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -31,24 +30,15 @@ class PairOrder {
     }
   }
 
-  // Pairs whose distances were taken, all before the others.
-  uint64_t taken() const { return taken_; }
-  // Whether the next distance to take is known.
-  bool has_next() const { return taken_ < known_; }
-  bool is_finished() const { return taken_ == distances_.size(); }
-
-  // The next distances that are known without a gap, `most` of them or fewer.
-  std::span<const double> Take(uint64_t most) {
-    const uint64_t count = std::min(most, known_ - taken_);
-    const uint64_t first = taken_;
-    taken_ += count;
-    return std::span(distances_).subspan(first, count);
+  // The distances of the first pairs, up to one that is not known yet.
+  std::span<const double> known() const {
+    return std::span(distances_).first(known_);
   }
+  bool is_whole() const { return known_ == distances_.size(); }
 
  private:
   std::vector<double> distances_;  // NaN until it is known
   uint64_t known_ = 0;             // all before it
-  uint64_t taken_ = 0;
 };
 
 }  // namespace geodesic::server

@@ -10,12 +10,12 @@
 #include <span>
 
 #include "absl/status/statusor.h"
-#include "geodesic/algorithm.h"
 #include "geodesic/checkpoint.h"
 #include "geodesic/path.h"
 #include "geodesic/solve_options.h"
 #include "geodesic/target_search.h"
 #include "geodesic/valid_query.h"
+#include "geodesic_types/algorithms.h"
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/base/clock.h"
 #include "server/engine/base/limits.h"

@@ -1,11 +1,10 @@
-// The base of every call with one request. It receives and decodes the request
-// and sends the answer one message at a time; the next message is made when
-// gRPC has taken the last one.
+// The base of every question. It reads what all requests have in common, and
+// makes what all answers have: header, progress, trailer, and the answer's
+// name, by which it is resumed.
 //
-// The request is freed once the engine has been asked. A slow reader costs one
-// message and what the answer pins; newer progress replaces progress that was
-// not sent. When the mesh is on disk but not in memory, or is not prepared for
-// an approximate algorithm, the stream waits for that and asks again.
+// Newer progress replaces progress that was not sent. When the mesh is not
+// prepared for an approximate algorithm, the stream waits for that and asks
+// again.
 
 #ifndef GEODESIC_SERVER_RPC_CALLS_ANSWER_STREAM_H_
 #define GEODESIC_SERVER_RPC_CALLS_ANSWER_STREAM_H_
@@ -14,59 +13,29 @@
 #include <grpcpp/server_context.h>
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <variant>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "absl/strings/str_cat.h"
-#include "geodesic_types/field_path.h"
-#include "server/engine/base/byte_budget.h"
+#include "codec/answer_writer.h"
+#include "digest/sha256.h"
+#include "geodesic/v1/question_service.pb.h"
+#include "server/engine/base/argument_checks.h"
 #include "server/engine/base/clock.h"
-#include "server/engine/base/status_details.h"
 #include "server/engine/query_engine.h"
-#include "server/rpc/calls/call.h"
+#include "server/rpc/calls/one_request_call.h"
 #include "server/rpc/messages/translation.h"
 
 namespace geodesic::server {
 
-// A stream that has begun its answer sends something at least as often, until
-// its first part is there.
+// An answer that has begun sends something at least as often.
 inline constexpr std::chrono::seconds kQuiet{5};
-
-// What a stream does next.
-enum class NextMessage {
-  kWait,  // there is nothing to send yet
-  kSend,
-  kSendLast,
-};
-
-// "ComputeField" for ComputeFieldRequest.
-template <typename Request>
-std::string_view MethodOf() {
-  constexpr std::string_view kSuffix = "Request";
-  std::string_view name = Request::descriptor()->name();
-  name.remove_suffix(kSuffix.size());
-  return name;
-}
-
-// The digest of the mesh that a request is about; "" if it is about none.
-template <typename Request>
-std::string MeshDigestOf(const Request& request) {
-  if constexpr (requires { request.mesh_digest(); }) {
-    return request.mesh_digest();
-  } else if constexpr (requires { request.digest(); }) {
-    return request.digest();
-  } else {
-    return "";
-  }
-}
 
 // A call's deadline on the engine's clock; gRPC gives it in system time.
 inline TimePoint CallDeadline(const grpc::CallbackServerContext& context) {
@@ -77,53 +46,15 @@ inline TimePoint CallDeadline(const grpc::CallbackServerContext& context) {
   return std::chrono::steady_clock::now() + (deadline - now);
 }
 
-// A derived class asks the engine and makes the messages. Launch (service.h)
-// starts it.
-template <typename RequestType, typename ResponseType>
-class AnswerStream : public Call<ResponseType> {
+template <typename RequestType>
+class AnswerStream : public OneRequestCall<RequestType, v1::Answer> {
  public:
-  using Request = RequestType;
-  using Response = ResponseType;
-
-  // REQUIRES: as Call.
-  AnswerStream(const ServiceContext& service,
-               grpc::CallbackServerContext& context)
-      : Base(service, MethodOf<Request>(), context) {}
-
-  void OnWriteDone(bool ok) final {
-    std::lock_guard lock(mutex_);
-    writing_ = false;
-    is_quiet_ = false;
-    this->OnTaken();
-    if (!ok) {
-      // The stream is broken; OnCancel tells the engine.
-      this->EndCancelled();
-      return;
-    }
-    Advance();
-  }
-
-  void OnCancel() final {
-    std::function<void()> leave;
-    bool begun = false;
-    {
-      std::lock_guard lock(mutex_);
-      cancelled_ = true;
-      if (!is_asking_) this->EndCancelled();
-      leave = std::exchange(leave_, nullptr);
-      begun = begun_;
-    }
-    // Called without the lock, because the engine has its own.
-    if (leave) leave();
-    if (begun) Cancel();
-  }
+  using OneRequestCall<RequestType, v1::Answer>::OneRequestCall;
 
   void OnDone() final {
     std::optional<grpc::Alarm> watch;
     {
       std::lock_guard lock(mutex_);
-      request_.reset();
-      memory_ = {};
       // Ended without the lock: that may wait for OnQuiet.
       watch = std::exchange(quiet_watch_, std::nullopt);
     }
@@ -132,200 +63,139 @@ class AnswerStream : public Call<ResponseType> {
   }
 
  protected:
-  using Call<ResponseType>::service_;
+  // As Ask. Calls BeginQuestion and, if the engine takes the question,
+  // SetHeader and the writer's Announce.
+  virtual absl::Status AskEngine() = 0;
 
-  // Asks the engine, which may call back at once. Called without the lock, and
-  // again once the mesh has come from disk if it was not found before, or has
-  // been prepared. The
-  // request and the context stay valid until it returns, even if the client
-  // goes.
-  virtual absl::Status Ask() = 0;
+  // Puts what is ready of the answer's arrays into the message. kSend: that is
+  // full; kWait: no more is ready; kSendLast: all was put, and SetCost called.
+  // Computes nothing, since it runs on a thread of gRPC. An error ends the
+  // answer when what was put before is sent. Under the stream's lock.
+  virtual absl::StatusOr<NextMessage> FillBlocks() = 0;
 
-  // Tells the engine that the caller waits no longer. Called at most once,
-  // after Ask succeeded, without the lock.
-  virtual void Cancel() {}
+  // Bytes that differ between answers to equal questions whose numbers may
+  // differ. Called with the first numbers.
+  virtual std::string Variant() const { return ""; }
 
-  // Makes the next message, under the lock. An error ends the stream.
-  virtual absl::StatusOr<NextMessage> Fill(Response& message) = 0;
-
-  // Calls `change` on what Fill reads, then sends the messages that are ready.
-  template <typename Change>
-  void Update(Change change) {
-    std::lock_guard lock(mutex_);
-    change();
-    Advance();
-  }
-
-  // Sets what every question has: the mesh, the deadline, the client, and the
-  // algorithm and the tolerance of one that has them; for an approximate
-  // algorithm that is a method which is prepared. Errors: INVALID_ARGUMENT;
-  // others, which Ask passes on.
+  // Sets what every question has.
   template <typename Question>
-  absl::Status BeginQuestion(Question& question) {
-    question.mesh_digest = mesh_digest_;
-    question.deadline = CallDeadline(context_);
-    const absl::StatusOr<bool> is_batch = IsBatch(request().priority());
-    if (!is_batch.ok()) return is_batch.status();
-    question.requester = requester(*is_batch);
-    const absl::StatusOr<AlgorithmChoice> choice = ChoiceOf(request());
-    if (!choice.ok()) return choice.status();
-    if constexpr (requires { request().tolerance(); }) {
-      absl::Status status = CheckTolerance(request().tolerance(), *choice);
-      if (!status.ok()) return status;
-      if constexpr (requires { question.query; }) {
-        question.query.tolerance = request().tolerance();
-      } else {
-        question.tolerance = request().tolerance();
-      }
-    }
-    if (const auto* exact = std::get_if<Algorithm>(&*choice)) {
-      if constexpr (requires { question.query; }) {
+  void BeginQuestion(Question& question) {
+    question.mesh_digest = this->mesh_digest();
+    question.deadline = deadline();
+    question.requester = requester();
+    if constexpr (requires { question.method; }) question.method = method_;
+    if constexpr (requires { question.query; }) {
+      if (const auto* exact = std::get_if<Algorithm>(&algorithm_)) {
         question.query.algorithm = *exact;
-        return absl::OkStatus();
-      } else {
-        return *exact == kDefaultAlgorithm
-                   ? absl::OkStatus()
-                   : InvalidField("algorithm",
-                                  "algorithm: exact distances of pairs are "
-                                  "searched for by the default algorithm; "
-                                  "leave it out or name an approximate one");
       }
-    }
-    const auto& method = std::get<MethodChoice>(*choice);
-    if constexpr (requires { request().approximation(); }) {
-      absl::Status status = FindMethod(method);
-      question.method = method_;
-      return status;
-    } else {
-      return InvalidField(
-          "algorithm",
-          absl::StrCat(
-              "algorithm: ", std::string(ApproximateMethodName(method.method)),
-              " is approximate, and ", std::string(MethodOf<Request>()),
-              " answers exactly: name an exact algorithm or none; "
-              "ComputeField, ComputeMatrix, FindNearest and "
-              "ComputePairs take approximate ones"));
+      question.query.tolerance = tolerance_;
+    } else if constexpr (requires { question.tolerance; }) {
+      question.tolerance = tolerance_;
     }
   }
 
-  RequestLog::Entry& entry() { return *entry_; }
-  // The caller, for the engine. Before the call has ended.
-  Requester requester(bool is_batch = false) {
-    return {.client = entry_->client(),
-            .is_batch = is_batch,
-            .account = entry_->job()};
+  // `algorithm`: the one that runs.
+  void SetHeader(const ResidentMesh& mesh, const AlgorithmChoice& algorithm,
+                 v1::AnswerOrigin origin = v1::ANSWER_ORIGIN_COMPUTED) {
+    algorithm_ = algorithm;
+    header_ = MakeHeader(mesh, algorithm, this->version());
+    header_.set_origin(origin);
+    trailer_.set_origin(origin);
   }
-  const std::string& version() const { return service_.capabilities.version(); }
-  // For Ask. An Ask that is about to succeed may change it.
-  Request& request() { return *request_; }
+
+  // `certified_error` 0: the answer is exact, or approximate.
+  void SetCost(double seconds, uint64_t windows_propagated,
+               double certified_error) {
+    trailer_.set_compute_seconds(seconds);
+    trailer_.set_windows_propagated(windows_propagated);
+    trailer_.set_relative_tolerance(
+        RelativeTolerance(algorithm_, certified_error));
+    if (certified_error > 0) trailer_.set_certified_error(certified_error);
+  }
+
+  void SetProgress(const Progress& progress) {
+    this->Update([&] {
+      progress_ = ToProto(progress);
+      has_news_ = true;
+    });
+  }
+  // May be called at any time by whoever makes items of the answer.
+  void SetNews() {
+    this->Update([&] { has_news_ = true; });
+  }
+
+  TimePoint deadline() const { return CallDeadline(this->context_); }
+  Requester requester() { return Base::requester(is_batch_); }
+  double tolerance() const { return tolerance_; }
+  // Of the numbers whose type the request chooses.
+  v1::ValueType value_type() const { return value_type_; }
+  bool is_resumed() const { return resumption_.has_value(); }
+
+  codec::AnswerWriter& writer() { return *writer_; }
+  v1::AnswerTrailer& trailer() { return trailer_; }
+  // What is sent next while nothing is ready. Under the stream's lock.
+  v1::SolveProgress& progress() { return progress_; }
 
  private:
-  using Base = Call<ResponseType>;
-  using Base::context_;
-  using Base::entry_;
+  using Base = OneRequestCall<RequestType, v1::Answer>;
   using Base::finished_;
   using Base::mutex_;
 
-  void OnReceived(bool ok) final {
-    {
-      std::lock_guard lock(mutex_);
-      if (finished_) return;
-      if (absl::Status status = Receive(ok); !status.ok()) {
-        this->End(std::move(status));
-        return;
-      }
-      is_asking_ = true;
-    }
-    GoOn(Ask());
-  }
-
-  // `ok`: a message came. Errors: as Intake::Decode. REQUIRES: mutex_ held.
-  absl::Status Receive(bool ok) {
-    if (!ok) return absl::InvalidArgumentError(kNoMessage);
-    request_.emplace();
-    absl::StatusOr<ByteReservation> memory = this->Decode(*request_);
-    if (!memory.ok()) return memory.status();
-    memory_ = *std::move(memory);
-    mesh_digest_ = MeshDigestOf(*request_);
-    if (!mesh_digest_.empty()) entry_->set_subject(DigestPrefix(mesh_digest_));
+  absl::Status Ask() final {
+    RequestType& request = this->request();
+    absl::Status status = ReadRequest(request);
+    if (status.ok()) status = AskEngine();
+    if (!status.ok()) return status;
+    method_.reset();
+    // Whatever these are, the answer is the same.
+    request.clear_priority();
+    request.clear_resumption();
+    name_.Update(this->version());
+    name_.Update(request.SerializeAsString());
     return absl::OkStatus();
   }
 
-  // The algorithm that the request names, if it has a word for it.
-  static absl::StatusOr<AlgorithmChoice> ChoiceOf(const Request& request) {
-    if constexpr (requires { request.approximation(); }) {
-      return FromProto(request.algorithm(), request.approximation());
-    } else {
-      return FromProto(request.algorithm(), {});
-    }
+  // What every request has but the mesh. Errors: INVALID_ARGUMENT; NOT_FOUND.
+  absl::Status ReadRequest(const RequestType& request) {
+    absl::StatusOr<v1::ValueType> type = ResolveValueType(request.value_type());
+    if (!type.ok()) return type.status();
+    value_type_ = *type;
+    const absl::StatusOr<bool> is_batch = IsBatch(request.priority());
+    if (!is_batch.ok()) return is_batch.status();
+    is_batch_ = *is_batch;
+    tolerance_ = request.tolerance();
+    absl::StatusOr<AlgorithmChoice> choice =
+        ReadAlgorithm(QuestionNamed(MethodOf<RequestType>()),
+                      request.algorithm(), request.approximation(), tolerance_);
+    if (!choice.ok()) return choice.status();
+    algorithm_ = *std::move(choice);
+    if (request.has_resumption()) resumption_ = request.resumption();
+    writer_.emplace(
+        std::vector<uint64_t>(request.resumption().received().begin(),
+                              request.resumption().received().end()));
+    const auto* method = std::get_if<MethodChoice>(&algorithm_);
+    return method != nullptr ? FindMethod(*method) : absl::OkStatus();
   }
 
   // Sets method_. If that is not prepared yet the engine says so, unless it
-  // refuses the question anyway, and GoOn has it prepared.
+  // refuses the question anyway, and it is prepared then.
   absl::Status FindMethod(const MethodChoice& choice) {
     if (method_.has_value()) return absl::OkStatus();
     absl::StatusOr<MeshHandle> mesh =
-        service_.engine.meshes().Get(mesh_digest_, "mesh_digest");
+        this->engine().meshes().Get(this->mesh_digest(), "mesh_digest");
     if (!mesh.ok()) return mesh.status();
-    method_ = service_.engine.methods().Find(*mesh, choice);
+    method_ = this->engine().methods().Find(*mesh, choice);
     if (!method_.has_value()) method_ = {.mesh = *mesh, .choice = choice};
     return absl::OkStatus();
   }
 
-  // Waits for what `start` begins, then asks again. `start` gets the caller and
-  // a function to call at the end, with the status and whatever must be pinned
-  // meanwhile, and returns what ends the wait; nothing if it has ended.
-  template <typename Start>
-  void AskAfter(Start start) {
-    Requester caller;
-    {
-      std::lock_guard lock(mutex_);
-      is_asking_ = false;
-      if (cancelled_) {
-        this->EndCancelled();
-        return;
-      }
-      caller = requester();
-    }
-    absl::StatusOr<std::function<void()>> leave =
-        start(std::exchange(caller, {}),
-              [self = this->Shared(this)](absl::Status status) {
-                self->OnAwaited(std::move(status));
-              });
-    {
-      std::lock_guard lock(mutex_);
-      if (!leave.ok()) this->End(leave.status());
-      if (!leave.ok() || !*leave) return;
-      if (!finished_) {
-        leave_ = *std::move(leave);
-        return;
-      }
-    }
-    (*leave)();
-  }
-
-  void AwaitMesh() {
-    AskAfter([this](const Requester& caller,
-                    auto done) -> absl::StatusOr<std::function<void()>> {
-      MeshLibrary& meshes = service_.engine.meshes();
-      // The mesh is pinned while the engine is asked.
-      absl::StatusOr<MeshLoads::Ticket> ticket = meshes.Await(
-          mesh_digest_,
-          [done](const absl::StatusOr<MeshHandle>& mesh) {
-            done(mesh.status());
-          },
-          caller.client);
-      if (!ticket.ok()) return ticket.status();
-      if (ticket->entry == nullptr) return std::function<void()>();
-      return [&meshes, ticket = *ticket] { meshes.Leave(ticket); };
-    });
-  }
-
-  // `unprepared`: a copy, since method_ changes when it is prepared.
-  void AwaitMethod(MethodHandle unprepared) {
-    AskAfter([&](const Requester& caller,
-                 auto done) -> absl::StatusOr<std::function<void()>> {
-      MethodEngine& methods = service_.engine.methods();
+  bool AwaitWhatIsMissing(const absl::Status& status) final {
+    if (!IsNotPrepared(status)) return false;
+    // A copy, since method_ changes when it is prepared.
+    this->AskAfter([this, unprepared = *method_](
+                       const Requester& caller,
+                       auto done) -> absl::StatusOr<std::function<void()>> {
+      MethodEngine& methods = this->engine().methods();
       absl::StatusOr<MethodJobs::Ticket> ticket = methods.Prepare(
           unprepared.mesh, unprepared.choice,
           {.done =
@@ -339,6 +209,7 @@ class AnswerStream : public Call<ResponseType> {
       if (!ticket.ok()) return ticket.status();
       return [&methods, ticket = *ticket] { methods.Leave(ticket); };
     });
+    return true;
   }
 
   void SetMethod(const MethodHandle& method) {
@@ -346,117 +217,95 @@ class AnswerStream : public Call<ResponseType> {
     method_ = method;
   }
 
-  void OnAwaited(absl::Status status) {
-    {
-      std::lock_guard lock(mutex_);
-      // After Finish the request may be gone.
-      if (finished_) return;
-      is_asking_ = true;
-    }
-    GoOn(status.ok() ? Ask() : std::move(status));
-  }
-
-  // The shared tier is asked once for a call.
-  bool MayBringMesh() {
-    MeshLibrary& meshes = service_.engine.meshes();
-    if (meshes.Contains(mesh_digest_)) return true;
-    return meshes.has_shared_tier() && !std::exchange(has_asked_tier_, true);
-  }
-
-  // `status` is the result of Ask.
-  void GoOn(absl::Status status) {
-    // Bringing the mesh only helps if the mesh is what was not found.
-    if (MeshAtFault(status).has_value() && MayBringMesh()) {
-      AwaitMesh();
-      return;
-    }
-    if (IsNotPrepared(status)) {
-      AwaitMethod(*method_);
-      return;
-    }
-    bool cancel = false;
-    {
-      std::lock_guard lock(mutex_);
-      is_asking_ = false;
-      if (!status.ok()) {
-        this->End(std::move(status));
-        return;
-      }
-      // They are of no more use.
-      request_.reset();
-      method_.reset();
-      Intake::ReleaseRequest(memory_);
-      begun_ = true;
-      cancel = cancelled_;
-      if (cancelled_) this->EndCancelled();
-      Advance();
-    }
-    if (cancel) Cancel();
-  }
-
-  // REQUIRES: mutex_ held.
-  void Advance() {
-    if (!begun_ || writing_ || finished_) return;
-    absl::StatusOr<NextMessage> next = Fill(message_);
+  absl::StatusOr<NextMessage> Fill(v1::Answer& message) final {
+    message.Clear();
+    writer_->Begin(message);
+    absl::StatusOr<NextMessage> next =
+        failure_.ok() ? FillBlocks() : absl::StatusOr<NextMessage>(failure_);
+    const bool has_blocks = message.blocks_size() > 0;
     if (!next.ok()) {
-      this->End(next.status());
-    } else if (*next == NextMessage::kSend) {
-      writing_ = true;
-      this->Write(&message_);
-    } else if (*next == NextMessage::kSendLast) {
-      this->End(absl::OkStatus(), &message_);
-    } else if (!quiet_watch_.has_value()) {
-      WatchQuiet();
+      failure_ = next.status();
+      if (!has_blocks) return failure_;
+      next = NextMessage::kSend;
     }
+    const bool is_last = *next == NextMessage::kSendLast;
+    if (has_blocks || is_last) {
+      absl::Status status = SetName(message);
+      if (status.ok() && is_last) status = writer_->CheckReceived();
+      if (!status.ok()) return status;
+    } else if (has_header_) {
+      if (!std::exchange(has_news_, false)) {
+        if (!quiet_watch_.has_value()) WatchQuiet();
+        return NextMessage::kWait;
+      }
+      *message.mutable_progress() = progress_;
+    }
+    if (!std::exchange(has_header_, true)) {
+      *message.mutable_header() = std::move(header_);
+      *message.mutable_header()->mutable_arrays() = writer_->infos();
+    }
+    if (is_last) *message.mutable_trailer() = std::move(trailer_);
+    this->entry().add_bytes(writer_->bytes());
+    ++sent_;
+    return is_last ? NextMessage::kSendLast : NextMessage::kSend;
+  }
+
+  // Of the first message with numbers, or the last one. Errors: NOT_FOUND: the
+  // answer to be resumed was another one.
+  absl::Status SetName(v1::Answer& message) {
+    if (std::exchange(is_named_, true)) return absl::OkStatus();
+    name_.Update(Variant());
+    message.set_answer_id(name_.FinishHex());
+    return resumption_.has_value() &&
+                   resumption_->answer_id() != message.answer_id()
+               ? AnswerNotKept()
+               : absl::OkStatus();
   }
 
   // A client that hears nothing cannot tell waiting from a broken connection,
   // and gRPC takes its pings for an attack if nothing is sent between them.
   // REQUIRES: mutex_ held.
   void WatchQuiet() {
-    if constexpr (requires { message_.mutable_progress(); }) {
-      is_quiet_ = true;
-      quiet_watch_.emplace();
-      // What was sent last may have been sent just after a watch began.
-      quiet_watch_->Set(std::chrono::system_clock::now() + kQuiet / 2,
-                        [self = this->Shared(this)](bool has_passed) {
-                          if (has_passed) self->OnQuiet();
-                        });
-    }
+    quiet_watch_.emplace();
+    // What was sent last may have been sent just after a watch began.
+    quiet_watch_->Set(
+        std::chrono::system_clock::now() + kQuiet / 2,
+        [self = this->Shared(this), sent = sent_](bool has_passed) {
+          if (has_passed) self->OnQuiet(sent);
+        });
   }
 
-  // Sends the last progress again, or that there is none, in an answer that has
-  // no more than its header.
-  void OnQuiet() {
+  // Sends the last progress again, or that there is none.
+  void OnQuiet(uint64_t sent) {
     std::lock_guard lock(mutex_);
     if (finished_ || !quiet_watch_.has_value()) return;
-    if (is_quiet_ && !writing_ &&
-        (message_.has_header() || message_.has_progress())) {
-      message_.mutable_progress();
-      writing_ = true;
-      this->Write(&message_);
-    }
+    has_news_ |= sent == sent_;
+    this->Advance();
     WatchQuiet();
   }
 
-  // Guarded by mutex_:
-  std::string mesh_digest_;  // set by Receive, then constant
-  ByteReservation memory_;   // of the request and the question
-  bool is_asking_ = false;   // Ask runs, or is about to
-  bool begun_ = false;       // Ask succeeded
-  bool has_asked_tier_ = false;
-  std::function<void()> leave_;  // ends a wait for the mesh or for a method
-  bool cancelled_ = false;
-  bool writing_ = false;  // a message is on its way
-  std::optional<grpc::Alarm> quiet_watch_;
-  bool is_quiet_ = false;  // nothing was sent since quiet_watch_ was set
-  Response message_;
-
-  // Set by Receive; Ask's while it runs:
-  std::optional<Request> request_;
+  // Set by Ask, then constant but for the writer:
+  v1::ValueType value_type_ = v1::VALUE_TYPE_FLOAT64;
+  bool is_batch_ = false;
+  AlgorithmChoice algorithm_ = kDefaultAlgorithm;
+  double tolerance_ = 0;
+  std::optional<v1::Resumption> resumption_;
+  std::optional<codec::AnswerWriter> writer_;
   // Of an approximate question; what Ask and its waits set, one after the
   // other.
   std::optional<MethodHandle> method_;
+
+  // Guarded by the stream's lock:
+  Sha256 name_;
+  bool is_named_ = false;
+  v1::AnswerHeader header_;  // until it is sent
+  bool has_header_ = false;  // sent
+  v1::SolveProgress progress_;
+  bool has_news_ = false;  // progress_ was not sent
+  v1::AnswerTrailer trailer_;
+  absl::Status failure_;  // to be sent
+  uint64_t sent_ = 0;     // messages
+  std::optional<grpc::Alarm> quiet_watch_;
 };
 
 }  // namespace geodesic::server

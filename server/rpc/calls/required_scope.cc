@@ -20,6 +20,7 @@ constexpr std::pair<std::string_view, Scope> kRequired[] = {
     {"ComputeMatrix", Scope::kRead},
     {"ComputePairs", Scope::kRead},
     {"FindNearest", Scope::kRead},
+    {"TraceLines", Scope::kRead},
     {"GetCapabilities", Scope::kRead},
 };
 

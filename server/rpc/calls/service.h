@@ -6,8 +6,8 @@
 // method is served as a stream of bytes, which is the same on the wire: a call
 // begins with its headers and reads its messages when it is ready.
 //
-//   auto service = std::make_unique<Service>("geodesic.v1.PathService");
-//   service->Add<PathStream>(service);
+//   auto service = std::make_unique<Service>("geodesic.v1.QuestionService");
+//   service->Add<FieldStream>(context);
 
 #ifndef GEODESIC_SERVER_RPC_CALLS_SERVICE_H_
 #define GEODESIC_SERVER_RPC_CALLS_SERVICE_H_

@@ -1,25 +1,22 @@
 #include "server/rpc/messages/translation.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <limits>
 #include <variant>
 #include <vector>
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
+#include "codec/algorithms.h"
 #include "codec/mesh_format.h"
 #include "codec/places.h"
-#include "geodesic/algorithm.h"
+#include "geodesic_types/algorithms.h"
 #include "geodesic_types/field_path.h"
 #include "server/engine/base/argument_checks.h"
 
 namespace geodesic::server {
 namespace {
-
-// A point takes about 50 bytes on the wire.
-constexpr uint64_t kPointsPerMessage = 8192;
-
-static_assert(sizeof(Point) == 3 * sizeof(double));
 
 // `things` is what the limit counts, `limit_name` its name, both for messages.
 absl::Status AddAll(
@@ -80,54 +77,70 @@ absl::StatusOr<FieldExtras> ExtrasFrom(const v1::ComputeFieldRequest& request) {
   return extras;
 }
 
-// ALGORITHM_FWP_CH for "fwp-ch".
-v1::Algorithm AlgorithmNamed(std::string_view algorithm) {
-  std::string name = "ALGORITHM_" + std::string(algorithm);
-  absl::AsciiStrToUpper(&name);
-  std::ranges::replace(name, '-', '_');
-  v1::Algorithm result = v1::ALGORITHM_UNSPECIFIED;
-  v1::Algorithm_Parse(name, &result);
-  return result;
-}
-
-// Refuses parameters that are not among those of the algorithm.
-absl::Status CheckParameters(const v1::Approximation& given,
-                             const v1::Approximation& taken,
-                             const std::string& algorithm) {
-  const auto refuse = [&](const std::string& name) {
-    const std::string field = "approximation." + name;
-    return InvalidField(field, absl::StrCat(field, " is no parameter of ",
-                                            algorithm, "; leave it out"));
-  };
-  if (given.has_lambda() && !taken.has_lambda()) return refuse("lambda");
-  if (given.has_neighbours() && !taken.has_neighbours()) {
-    return refuse("neighbours");
-  }
-  if (given.has_samples() && !taken.has_samples()) return refuse("samples");
-  return absl::OkStatus();
-}
-
 }  // namespace
+
+absl::StatusOr<std::vector<SurfacePoint>> ReadPoints(
+    const google::protobuf::RepeatedPtrField<v1::SurfacePoint>& points,
+    const PackedVertices& vertices, const std::string& name, uint64_t limit) {
+  absl::Status status = CheckOneForm(name, points.size(), vertices.size());
+  status.Update(
+      CheckCount(name, points.size() + vertices.size(), "max_targets", limit));
+  if (!status.ok()) return status;
+  if (vertices.empty()) return codec::FromProto(points, name);
+  std::vector<SurfacePoint> places;
+  places.reserve(vertices.size());
+  for (const uint32_t v : vertices) places.push_back(VertexPoint{v});
+  return places;
+}
 
 absl::Status AddTargets(
     const google::protobuf::RepeatedPtrField<v1::SurfacePoint>& targets,
     const PackedVertices& vertex_targets, const Limits& limits, Query& query) {
-  absl::Status status =
-      CheckOneForm("targets", targets.size(), vertex_targets.size());
-  status.Update(CheckCount("targets", targets.size() + vertex_targets.size(),
-                           "max_targets", limits.max_targets));
-  if (!status.ok()) return status;
-  if (!vertex_targets.empty()) {
-    query.targets.reserve(vertex_targets.size());
-    for (const uint32_t v : vertex_targets) {
-      query.targets.push_back(VertexPoint{v});
-    }
-    return absl::OkStatus();
-  }
   absl::StatusOr<std::vector<SurfacePoint>> points =
-      codec::FromProto(targets, "targets");
+      ReadPoints(targets, vertex_targets, "targets", limits.max_targets);
   if (points.ok()) query.targets = *std::move(points);
   return points.status();
+}
+
+absl::StatusOr<LineQuestion> ReadLines(const v1::TraceLinesRequest& request,
+                                       const Limits& limits) {
+  LineQuestion lines;
+  absl::StatusOr<std::vector<SurfacePoint>> sources =
+      ReadPoints(request.sources(), request.vertex_sources(), "sources",
+                 limits.max_targets);
+  if (!sources.ok()) return sources.status();
+  lines.sources = *std::move(sources);
+  const auto& vectors = request.vectors();
+  if (vectors.size() % 3 != 0) {
+    return InvalidField("vectors",
+                        absl::StrCat("vectors has ", vectors.size(),
+                                     " numbers; a vector has three"));
+  }
+  if ((vectors.empty() ? 0 : 1) + (request.angles_size() > 0 ? 1 : 0) +
+          (request.towards_size() > 0 ? 1 : 0) >
+      1) {
+    return InvalidField("vectors",
+                        "the request has directions in several forms: angles, "
+                        "vectors and towards; use one");
+  }
+  absl::Status status =
+      CheckCount("lines",
+                 std::max({request.angles_size(), vectors.size() / 3,
+                           request.towards_size(), request.lengths_size()}),
+                 "max_targets", limits.max_targets);
+  if (!status.ok()) return status;
+  lines.directions.assign(request.angles().begin(), request.angles().end());
+  for (int i = 0; i < vectors.size(); i += 3) {
+    lines.directions.push_back(
+        Point{vectors[i], vectors[i + 1], vectors[i + 2]});
+  }
+  const absl::StatusOr<std::vector<SurfacePoint>> towards =
+      codec::FromProto(request.towards(), "towards");
+  if (!towards.ok()) return towards.status();
+  lines.directions.insert(lines.directions.end(), towards->begin(),
+                          towards->end());
+  lines.lengths.assign(request.lengths().begin(), request.lengths().end());
+  return lines;
 }
 
 absl::Status AddSources(
@@ -191,75 +204,28 @@ void SetPoint(const Point& from, v1::Point& to) {
   to.set_z(from[2]);
 }
 
-uint64_t SetPiece(std::span<const SurfacePoint> points,
-                  std::span<const Point> positions, uint64_t first,
-                  v1::PolylinePiece& piece) {
-  const uint64_t count =
-      std::min<uint64_t>(kPointsPerMessage, points.size() - first);
-  piece.set_point_count(points.size());
-  piece.set_first_point(first);
-  piece.clear_points();
-  for (const SurfacePoint& point : points.subspan(first, count)) {
-    *piece.add_points() = codec::ToProto(point);
-  }
-  SetBytes(positions.subspan(first, count), *piece.mutable_positions());
-  return first + count;
-}
-
 absl::Status Unknown(const std::string& field, int number) {
   return InvalidField(field, absl::StrCat(field, " is ", number,
                                           ", which this server does not know"));
 }
 
-v1::Algorithm ToProto(Algorithm algorithm) {
-  return AlgorithmNamed(AlgorithmName(algorithm));
-}
-
-v1::Algorithm ToProto(ApproximateMethod method) {
-  return AlgorithmNamed(ApproximateMethodName(method));
-}
-
-v1::Algorithm ToProto(const AlgorithmChoice& choice) {
-  const auto* method = std::get_if<MethodChoice>(&choice);
-  return method != nullptr ? ToProto(method->method)
-                           : ToProto(std::get<Algorithm>(choice));
-}
-
-v1::Approximation ToProto(const MethodChoice& choice) {
-  v1::Approximation proto;
-  switch (choice.method) {
-    case ApproximateMethod::kHeat:
-      proto.set_lambda(choice.lambda);
-      break;
-    case ApproximateMethod::kSvg:
-      proto.set_neighbours(choice.neighbours);
-      break;
-    case ApproximateMethod::kGtu:
-      proto.set_samples(choice.samples);
-      break;
-    case ApproximateMethod::kFmm:
-    case ApproximateMethod::kFmmUntidy:
-      break;
-  }
-  return proto;
-}
-
-double RelativeTolerance(const AlgorithmChoice& choice, double tolerance) {
+double RelativeTolerance(const AlgorithmChoice& choice,
+                         double certified_error) {
   return std::holds_alternative<MethodChoice>(choice)
              ? std::numeric_limits<double>::infinity()
-             : std::max(tolerance, kRelativeTolerance);
+             : std::max(certified_error, kRelativeTolerance);
 }
 
-v1::FieldOrigin ToProto(FieldOrigin origin) {
+v1::AnswerOrigin ToProto(FieldOrigin origin) {
   switch (origin) {
     case FieldOrigin::kComputed:
-      return v1::FIELD_ORIGIN_COMPUTED;
+      return v1::ANSWER_ORIGIN_COMPUTED;
     case FieldOrigin::kJoined:
-      return v1::FIELD_ORIGIN_JOINED;
+      return v1::ANSWER_ORIGIN_JOINED;
     case FieldOrigin::kCached:
-      return v1::FIELD_ORIGIN_CACHED;
+      return v1::ANSWER_ORIGIN_CACHED;
   }
-  return v1::FIELD_ORIGIN_UNSPECIFIED;
+  return v1::ANSWER_ORIGIN_UNSPECIFIED;
 }
 
 v1::SolveProgress ToProto(const Progress& progress) {
@@ -284,83 +250,47 @@ v1::SolveStatistics ToProto(const SolveStatistics& statistics) {
   return proto;
 }
 
+v1::PairCounts ToProto(const PairCounts& counts) {
+  v1::PairCounts proto;
+  proto.set_searched(counts.searched);
+  proto.set_from_fields(counts.from_fields);
+  proto.set_from_cache(counts.from_cache);
+  return proto;
+}
+
 v1::AnswerHeader MakeHeader(const ResidentMesh& mesh,
                             const AlgorithmChoice& algorithm,
-                            const std::string& version, double tolerance) {
+                            const std::string& version) {
   v1::AnswerHeader header;
   header.set_mesh_digest(mesh.digest);
   header.set_vertex_count(mesh.mesh->vertex_count());
   for (std::string& note : Notes(mesh.summary)) {
     header.add_mesh_notes(std::move(note));
   }
-  header.set_algorithm(ToProto(algorithm));
-  header.set_relative_tolerance(RelativeTolerance(algorithm, tolerance));
+  header.set_algorithm(codec::ToProto(algorithm));
   header.set_server_version(version);
   if (const auto* method = std::get_if<MethodChoice>(&algorithm)) {
-    *header.mutable_approximation() = ToProto(*method);
+    *header.mutable_approximation() = codec::ToProto(*method);
   }
   return header;
 }
 
-v1::AnswerTrailer MakeTrailer(double seconds, uint64_t windows_propagated,
-                              uint64_t items, double certified_error) {
-  v1::AnswerTrailer trailer;
-  trailer.set_compute_seconds(seconds);
-  trailer.set_windows_propagated(windows_propagated);
-  trailer.set_item_count(items);
-  if (certified_error > 0) trailer.set_certified_error(certified_error);
-  return trailer;
-}
-
-absl::StatusOr<AlgorithmChoice> FromProto(
-    v1::Algorithm algorithm, const v1::Approximation& approximation) {
-  MethodChoice choice;
-  if (approximation.has_lambda()) choice.lambda = approximation.lambda();
-  if (approximation.has_neighbours()) {
-    choice.neighbours = approximation.neighbours();
+absl::StatusOr<AlgorithmChoice> ReadAlgorithm(
+    const QuestionInfo& question, v1::Algorithm algorithm,
+    const v1::Approximation& approximation, double tolerance) {
+  absl::StatusOr<AlgorithmChoice> choice =
+      codec::FromProto(algorithm, approximation);
+  if (!choice.ok()) return choice;
+  if (const auto* method = std::get_if<MethodChoice>(&*choice)) {
+    absl::Status status = Validate(*method);
+    if (!status.ok()) {
+      return WithFieldPath(
+          status, absl::StrCat("approximation.", *FieldPathOf(status)));
+    }
   }
-  if (approximation.has_samples()) choice.samples = approximation.samples();
-  for (const ApproximateMethodInfo& info : kApproximateMethods) {
-    if (ToProto(info.method) != algorithm) continue;
-    choice.method = info.method;
-    absl::Status status =
-        CheckParameters(approximation, ToProto(choice), std::string(info.name));
-    if (!status.ok()) return status;
-    status = Validate(choice);
-    if (status.ok()) return choice;
-    return WithFieldPath(status,
-                         absl::StrCat("approximation.", *FieldPathOf(status)));
-  }
-  absl::Status status =
-      CheckParameters(approximation, {}, "an exact algorithm");
+  absl::Status status = CheckAlgorithm(question, *choice, tolerance);
   if (!status.ok()) return status;
-  if (algorithm == v1::ALGORITHM_UNSPECIFIED) return kDefaultAlgorithm;
-  for (const AlgorithmInfo& info : kAlgorithms) {
-    if (ToProto(info.algorithm) == algorithm) return info.algorithm;
-  }
-  return InvalidField("algorithm",
-                      absl::StrCat("algorithm is ", static_cast<int>(algorithm),
-                                   ", which this server does not know; "
-                                   "GetCapabilities lists those it does"));
-}
-
-absl::Status CheckTolerance(double tolerance, const AlgorithmChoice& choice) {
-  if (tolerance == 0) return absl::OkStatus();
-  const auto refuse = [](absl::string_view algorithm, const char* what) {
-    return InvalidField(
-        "tolerance",
-        absl::StrCat("tolerance: ", algorithm, what,
-                     "; name no algorithm beside it, or fwp-list"));
-  };
-  if (const auto* method = std::get_if<MethodChoice>(&choice)) {
-    return refuse(std::string(ApproximateMethodName(method->method)),
-                  " is approximate and certifies nothing");
-  }
-  const auto algorithm = std::get<Algorithm>(choice);
-  return algorithm == Algorithm::kFwpList
-             ? absl::OkStatus()
-             : refuse(std::string(AlgorithmName(algorithm)),
-                      " merges no windows and takes no tolerance");
+  return choice;
 }
 
 absl::StatusOr<v1::ValueType> ResolveValueType(v1::ValueType type) {
@@ -394,7 +324,6 @@ absl::Status Translate(const v1::ComputeFieldRequest& request,
   status = AddTargets(request.targets(), request.vertex_targets(), limits,
                       result.query);
   if (!status.ok()) return status;
-  if (request.has_radius()) result.reach.radius = request.radius();
   if (request.has_stop_after_targets()) {
     // To the engine the largest number means no limit.
     result.reach.targets = std::min(request.stop_after_targets(),
@@ -446,8 +375,8 @@ v1::Mesh ToProto(const MeshDescription& mesh) {
   proto.set_close_edge_distance(summary.close_edge_distance);
   for (const MethodDescription& method : mesh.methods) {
     v1::PreparedMethod& prepared = *proto.add_prepared_methods();
-    prepared.set_algorithm(ToProto(method.choice.method));
-    *prepared.mutable_approximation() = ToProto(method.choice);
+    prepared.set_algorithm(codec::ToProto(method.choice.method));
+    *prepared.mutable_approximation() = codec::ToProto(method.choice);
     prepared.set_prepared_bytes(method.bytes);
     prepared.set_prepare_seconds(method.prepare_seconds);
   }

@@ -6,10 +6,7 @@
 #include <google/protobuf/repeated_field.h>
 #include <google/protobuf/repeated_ptr_field.h>
 
-#include <bit>
-#include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,55 +18,25 @@
 #include "geodesic/distance_field.h"
 #include "geodesic/query.h"
 #include "geodesic/surface_point.h"
-#include "geodesic/v1/field_service.pb.h"
+#include "geodesic/trace.h"
+#include "geodesic/v1/answer.pb.h"
 #include "geodesic/v1/mesh.pb.h"
 #include "geodesic/v1/mesh_service.pb.h"
-#include "geodesic/v1/pair_service.pb.h"
 #include "geodesic/v1/query.pb.h"
+#include "geodesic/v1/question_service.pb.h"
 #include "geodesic/v1/surface.pb.h"
+#include "geodesic_types/questions.h"
 #include "server/engine/base/limits.h"
 #include "server/engine/fields/field_engine.h"
 #include "server/engine/meshes/mesh_catalogue.h"
 #include "server/engine/meshes/mesh_store.h"
 #include "server/engine/meshes/method_store.h"
 #include "server/engine/pairs/pair_plan.h"
+#include "server/engine/pairs/pair_work.h"
 
 namespace geodesic::server {
 
-// Numbers in `bytes` fields, little endian.
-
-// Numbers are sent as they lie in memory.
-static_assert(std::endian::native == std::endian::little);
-
-// Replaces the content of `bytes` and reuses its memory.
-template <typename T>
-void SetBytes(std::span<const T> items, std::string& bytes) {
-  bytes.assign(reinterpret_cast<const char*>(items.data()),
-               items.size() * sizeof(T));
-}
-
-template <typename T>
-void AppendBytes(T item, std::string& bytes) {
-  bytes.append(reinterpret_cast<const char*>(&item), sizeof(T));
-}
-
-inline void SetValues(std::span<const double> values, v1::ValueType type,
-                      std::string& bytes) {
-  if (type != v1::VALUE_TYPE_FLOAT32) {
-    SetBytes(values, bytes);
-    return;
-  }
-  bytes.resize(values.size() * sizeof(float));
-  char* at = bytes.data();
-  for (const double value : values) {
-    const float rounded = static_cast<float>(value);
-    std::char_traits<char>::copy(at, reinterpret_cast<const char*>(&rounded),
-                                 sizeof(float));
-    at += sizeof(float);
-  }
-}
-
-// Points, sources and polylines.
+// Points and sources.
 
 // Numbers of vertices, instead of places.
 using PackedVertices = google::protobuf::RepeatedField<uint32_t>;
@@ -93,6 +60,11 @@ absl::Status AddRows(
     const google::protobuf::RepeatedPtrField<v1::Source>& sources,
     const PackedVertices& vertex_sources, const Limits& limits, Query& query);
 
+// The lines of a request.
+// Errors: also RESOURCE_EXHAUSTED when they are more than the limit.
+absl::StatusOr<LineQuestion> ReadLines(const v1::TraceLinesRequest& request,
+                                       const Limits& limits);
+
 // The pairs of a request, in either form.
 // Errors: also RESOURCE_EXHAUSTED when they are more than the limit.
 absl::Status AddPairs(const v1::ComputePairsRequest& request,
@@ -100,45 +72,33 @@ absl::Status AddPairs(const v1::ComputePairsRequest& request,
 
 void SetPoint(const Point& from, v1::Point& to);
 
-// Replaces `piece` by as many points from `first` on as a message takes;
-// returns where the next piece begins. A polyline without points has one empty
-// piece.
-uint64_t SetPiece(std::span<const SurfacePoint> points,
-                  std::span<const Point> positions, uint64_t first,
-                  v1::PolylinePiece& piece);
-
-// Questions about fields, and their answers.
+// Questions and their answers.
 
 // What geodesic::Solve guarantees (solve.h).
 inline constexpr double kRelativeTolerance = 1e-10;
 
-v1::Algorithm ToProto(Algorithm algorithm);
-v1::Algorithm ToProto(ApproximateMethod method);
-v1::Algorithm ToProto(const AlgorithmChoice& choice);
-// The parameters of the method.
-v1::Approximation ToProto(const MethodChoice& choice);
-// 1e-10 for exact distances, `tolerance` for those within one that is named,
+// 1e-10 for exact distances, the certified error for those that have one,
 // infinity for others.
-double RelativeTolerance(const AlgorithmChoice& choice, double tolerance);
-v1::FieldOrigin ToProto(FieldOrigin origin);
+double RelativeTolerance(const AlgorithmChoice& choice, double certified_error);
+v1::AnswerOrigin ToProto(FieldOrigin origin);
 v1::SolveProgress ToProto(const Progress& progress);
 v1::SolveStatistics ToProto(const SolveStatistics& statistics);
+v1::PairCounts ToProto(const PairCounts& counts);
+// Without what depends on the question: origin and arrays.
 v1::AnswerHeader MakeHeader(const ResidentMesh& mesh,
                             const AlgorithmChoice& algorithm,
-                            const std::string& version, double tolerance);
-// `certified_error` 0: the answer is exact.
-v1::AnswerTrailer MakeTrailer(double seconds, uint64_t windows_propagated,
-                              uint64_t items, double certified_error);
+                            const std::string& version);
 
 // INVALID_ARGUMENT: this field of a request has a number that its enumeration
 // does not have.
 absl::Status Unknown(const std::string& field, int number);
 
 // Errors of these: INVALID_ARGUMENT naming the part of the request at fault.
-absl::StatusOr<AlgorithmChoice> FromProto(
-    v1::Algorithm algorithm, const v1::Approximation& approximation);
-// Whether the algorithm takes a tolerance, which the engine checks.
-absl::Status CheckTolerance(double tolerance, const AlgorithmChoice& choice);
+// Also if the question does not take this algorithm, or this tolerance, whose
+// range the engine checks.
+absl::StatusOr<AlgorithmChoice> ReadAlgorithm(
+    const QuestionInfo& question, v1::Algorithm algorithm,
+    const v1::Approximation& approximation, double tolerance);
 // Never unspecified.
 absl::StatusOr<v1::ValueType> ResolveValueType(v1::ValueType type);
 absl::StatusOr<bool> IsBatch(v1::Priority priority);

@@ -1,105 +1,206 @@
-// One ComputeField call: header, progress, chunks, targets, trailer.
+// ComputeField.
 
 #ifndef GEODESIC_SERVER_RPC_STREAMS_FIELD_STREAM_H_
 #define GEODESIC_SERVER_RPC_STREAMS_FIELD_STREAM_H_
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "digest/sha256.h"
-#include "geodesic/v1/field_service.pb.h"
+#include "geodesic/field_quantities.h"
+#include "geodesic/v1/question_service.pb.h"
 #include "server/engine/query_engine.h"
-#include "server/rpc/calls/answer_stream.h"
+#include "server/rpc/messages/translation.h"
+#include "server/rpc/streams/field_questions.h"
 
 namespace geodesic::server {
 
-// Cuts a field into messages, and cuts it off at the radius that was asked for,
-// or at the last of the nearest targets that were, because the field may reach
-// further. Pins the field. Not thread-safe.
-class FieldChunks {
+// Cuts the field off at the radius that was asked for, or at the last of the
+// nearest targets that were, because it may reach further.
+class FieldStream final : public FieldQuestion<v1::ComputeFieldRequest> {
  public:
-  // The first chunk begins at `first_vertex`.
-  // REQUIRES: `call` outlives the chunks and led to `answer`.
-  FieldChunks(const FieldCall& call, FieldAnswer answer, FieldExtras extras,
-              v1::ValueType value_type, uint64_t first_vertex);
-
-  // Fills the next message of its kind; false when there is none left.
-  bool Next(v1::FieldChunk& chunk);
-  bool NextTargets(v1::TargetChunk& chunk);
-
-  // Nothing beyond is sent.
-  double radius() const { return radius_; }
-  // Every distance up to here was sent. Final once every chunk was made.
-  double settled_radius() const;
-
-  const FieldAnswer& answer() const { return answer_; }
+  using FieldQuestion::FieldQuestion;
 
  private:
-  // The distance of the last target that was asked for; +infinity if all are.
-  double RadiusOfTargets() const;
-  // +infinity for a distance beyond the radius, which sets was_cut_.
-  double Cut(double distance);
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  // What is copied before it is put.
+  static constexpr uint64_t kNumbersAtOnce = 32768;
 
-  const FieldCall& call_;
-  const FieldAnswer answer_;
-  const FieldExtras extras_;
-  const v1::ValueType value_type_;
-  const double radius_;
-  uint64_t next_vertex_;
-  TargetReader targets_;
-  bool was_cut_ = false;
-  std::vector<double> values_;
-};
+  absl::Status Translate(FieldRequest& question) override {
+    absl::Status status =
+        server::Translate(request(), engine().limits(), question);
+    extras_ = question.extras;
+    return status;
+  }
 
-class FieldStream final
-    : public AnswerStream<v1::ComputeFieldRequest, v1::ComputeFieldResponse>,
-      public FieldObserver {
- public:
-  using AnswerStream::AnswerStream;
+  void Announce() override {
+    const auto announce = [this](const char* name, v1::ValueType type,
+                                 std::vector<int64_t> shape) {
+      return writer().Announce(name, type, shape);
+    };
+    const int64_t vertices = call().mesh->mesh->vertex_count();
+    const auto targets = static_cast<int64_t>(call().query->targets.size());
+    if (extras_.settled_order) {
+      vertex_ = announce("settled_vertex", v1::VALUE_TYPE_UINT32, {-1});
+      distance_ = announce("settled_distance", value_type(), {-1});
+    } else {
+      distance_ = announce("distance", value_type(), {vertices});
+    }
+    if (extras_.nearest_sources) {
+      source_ = announce("nearest_source", v1::VALUE_TYPE_UINT32, {vertices});
+    }
+    if (extras_.gradients) {
+      gradient_ = announce("gradient", value_type(), {vertices, 3});
+    }
+    if (extras_.certified_errors) {
+      error_ = announce("certified_error", v1::VALUE_TYPE_FLOAT32, {vertices});
+    }
+    if (targets > 0) {
+      target_ = announce("target_distance", value_type(), {targets});
+    }
+  }
 
-  void OnProgress(const Progress& progress) override;
-  void OnField(const absl::StatusOr<FieldAnswer>& answer) override;
+  absl::StatusOr<NextMessage> FillBlocks() override {
+    // Final vertices are sent even if the rest never comes.
+    if (!PutSettled()) return NextMessage::kSend;
+    return FieldQuestion::FillBlocks();
+  }
 
- private:
-  absl::Status Ask() override;
-  void Cancel() override;
-  absl::StatusOr<NextMessage> Fill(v1::ComputeFieldResponse& message) override;
+  absl::StatusOr<NextMessage> FillFromField() override {
+    if (!radius_.has_value()) Cut();
+    if (!extras_.settled_order && !PutVertices()) return NextMessage::kSend;
+    if (!PutTargets()) return NextMessage::kSend;
+    const DistanceField& field = *answer().field;
+    *trailer().mutable_statistics() = ToProto(field.statistics);
+    // A whole field that lies within the radius was sent as a whole.
+    const bool is_whole = std::isinf(field.settled_radius) && !was_cut_;
+    const double settled =
+        is_whole ? kInfinity : std::min(field.settled_radius, *radius_);
+    // No approximate distance is exact, however far the field reaches.
+    trailer().set_settled_radius(call().method.has_value() ? 0 : settled);
+    return NextMessage::kSendLast;
+  }
 
-  // Called once the answer is there. Errors: NOT_FOUND, INVALID_ARGUMENT: the
-  // field cannot be resumed as asked.
-  absl::Status StartChunks();
-  // Keeps what StartChunks and MakeFieldId need of the request, which is freed.
-  void KeepQuestion();
-  // Names the answer to this request; equal names mean equal bits. Call once.
-  std::string MakeFieldId();
+  std::string Variant() const override {
+    // A progressive field is not resumed.
+    if (!radius_.has_value()) return "";
+    // One version of the program gives equal questions equal bits up to the
+    // radius; and an exact field may answer a question with a tolerance.
+    const DistanceField& field = *answer().field;
+    const double numbers[] = {std::min(field.settled_radius, *radius_),
+                              field.certified_error};
+    return {reinterpret_cast<const char*>(numbers), sizeof(numbers)};
+  }
 
-  // Fills the next message of its kind; false when there is none.
-  bool FillSettled(v1::ComputeFieldResponse& message);
-  bool FillChunk(v1::ComputeFieldResponse& message);
-  bool FillTargets(v1::ComputeFieldResponse& message);
+  // Finds the radius, and whether vertices lie beyond.
+  void Cut() {
+    radius_ = call().reach.radius;
+    // What is settled was sent as it came, and may reach further.
+    if (call().reach.LimitsTargets() && !extras_.settled_order) {
+      std::vector<double> distances(call().query->targets.size());
+      TargetReader targets;
+      for (double& d : distances) d = targets.Next(call(), answer()).distance;
+      const auto last = distances.begin() +
+                        static_cast<std::ptrdiff_t>(call().reach.targets - 1);
+      std::ranges::nth_element(distances, last);
+      radius_ = std::min(*radius_, *last);
+    }
+    was_cut_ = !std::isinf(*radius_) &&
+               std::ranges::any_of(answer().field->distances, [this](double d) {
+                 return d > *radius_ && d < kInfinity;
+               });
+  }
 
-  AlgorithmChoice algorithm() const;
-  void FillHeader(v1::FieldHeader& header) const;
-  void FillTrailer(v1::FieldTrailer& trailer) const;
+  // These return as AnswerWriter::Put.
 
-  // Set by Ask, then constant:
+  bool PutSettled() {
+    if (call().settled == nullptr) return true;
+    for (;;) {
+      const std::vector<SettledVertex> settled =
+          call().settled->Read(settled_, kNumbersAtOnce);
+      if (settled.empty()) return true;
+      if (!writer().Put(vertex_, settled_, settled.size(),
+                        [&](uint64_t i) { return settled[i].vertex; }) ||
+          !writer().Put(distance_, settled_, settled.size(),
+                        [&](uint64_t i) { return settled[i].distance; })) {
+        return false;
+      }
+      settled_ += settled.size();
+    }
+  }
+
+  bool PutVertices() {
+    const std::vector<double>& all = answer().field->distances;
+    const std::vector<float>& errors = answer().field->certified_errors;
+    const uint64_t vertices = all.size();
+    const double radius = *radius_;
+    const bool is_whole =
+        std::isinf(radius)
+            ? writer().Put(distance_, 0, all)
+            : writer().Put(distance_, 0, vertices, [&](uint64_t v) {
+                return all[v] > radius ? kInfinity : all[v];
+              });
+    if (!is_whole) return false;
+    if (extras_.nearest_sources &&
+        !writer().Put(source_, 0, vertices, [&](uint64_t v) {
+          const uint32_t source = answer().derived->nearest_sources[v];
+          return source == kNoSource || all[v] > radius
+                     ? kNoSource
+                     : call().source_numbers[source];
+        })) {
+      return false;
+    }
+    if (extras_.gradients &&
+        !writer().Put(gradient_, 0, 3 * vertices, [&](uint64_t i) {
+          const Point& gradient = answer().derived->gradients[i / 3];
+          return all[i / 3] > radius ? 0 : gradient[i % 3];
+        })) {
+      return false;
+    }
+    return !extras_.certified_errors ||
+           writer().Put(error_, 0, vertices, [&](uint64_t v) {
+             return errors.empty() || all[v] > radius ? 0.0f : errors[v];
+           });
+  }
+
+  bool PutTargets() {
+    const uint64_t all = call().query->targets.size();
+    while (targets_.next < all) {
+      TargetReader targets = targets_;
+      std::vector<double> distances(
+          std::min<uint64_t>(kNumbersAtOnce, all - targets.next));
+      for (double& distance : distances) {
+        distance = targets.Next(call(), answer()).distance;
+        if (distance <= *radius_) continue;
+        was_cut_ |= distance < kInfinity;
+        distance = kInfinity;
+      }
+      if (!writer().Put(target_, targets_.next, distances)) return false;
+      targets_ = targets;
+    }
+    return true;
+  }
+
+  // Set by Translate and Announce, then constant:
   FieldExtras extras_;
-  v1::ValueType value_type_ = v1::VALUE_TYPE_FLOAT64;
-  std::optional<FieldCall> call_;
-  std::optional<v1::FieldResumption> resumption_;
-  Sha256 question_;  // of what was asked, for the field's name
+  uint32_t vertex_ = 0;
+  uint32_t distance_ = 0;
+  uint32_t source_ = 0;
+  uint32_t gradient_ = 0;
+  uint32_t error_ = 0;
+  uint32_t target_ = 0;
 
   // Guarded by the stream's lock:
-  bool header_sent_ = false;
-  std::optional<v1::SolveProgress> progress_;  // newer than what was sent
-  std::optional<absl::StatusOr<FieldAnswer>> answer_;
-  std::optional<FieldChunks> chunks_;  // of *answer_
-  std::string field_id_;               // until it is sent
-  uint64_t settled_ = 0;               // entries of the log that were sent
+  uint64_t settled_ = 0;          // entries of the log that were put
+  std::optional<double> radius_;  // beyond which nothing is sent
+  bool was_cut_ = false;          // there is something beyond
+  TargetReader targets_;          // of the targets that are to be put
 };
 
 }  // namespace geodesic::server

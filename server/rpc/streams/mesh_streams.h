@@ -13,16 +13,16 @@
 #include "absl/status/statusor.h"
 #include "geodesic/v1/mesh_service.pb.h"
 #include "server/engine/query_engine.h"
-#include "server/rpc/calls/answer_stream.h"
 #include "server/rpc/calls/call.h"
+#include "server/rpc/calls/one_request_call.h"
 
 namespace geodesic::server {
 
 // One ReadMesh call: header, vertices, faces, joined vertices.
 class MeshStream final
-    : public AnswerStream<v1::ReadMeshRequest, v1::ReadMeshResponse> {
+    : public OneRequestCall<v1::ReadMeshRequest, v1::ReadMeshResponse> {
  public:
-  using AnswerStream::AnswerStream;
+  using OneRequestCall::OneRequestCall;
 
  private:
   absl::Status Ask() override;

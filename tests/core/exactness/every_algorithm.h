@@ -18,7 +18,7 @@
 #include "absl/status/status.h"
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
-#include "geodesic/algorithm.h"
+#include "geodesic_types/algorithms.h"
 #include "tests/support/field_check.h"
 #include "tests/support/oracles/brute_force.h"
 #include "tests/support/test_meshes.h"

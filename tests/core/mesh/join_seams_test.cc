@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "geodesic/algorithm.h"
 #include "geodesic/isolines.h"
 #include "geodesic/mesh.h"
 #include "geodesic/mesh_summary.h"
@@ -25,6 +24,7 @@
 #include "geodesic/solve.h"
 #include "geodesic/surface_point.h"
 #include "geodesic/valid_query.h"
+#include "geodesic_types/algorithms.h"
 #include "tests/support/checkpoints.h"
 #include "tests/support/planar_meshes.h"
 #include "tests/support/polyhedra.h"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "geodesic/algorithm.h"
+#include "geodesic_types/algorithms.h"
 #include "tests/support/field_check.h"
 #include "tests/support/surface_points.h"
 #include "tests/support/vec.h"

@@ -47,17 +47,14 @@ class PairEngineTest : public test::EngineTest {
     if (!call.ok()) return call.status();
     call_ = *std::move(call);
     PairOrder order(call_.pair_count);
-    std::vector<double> distances;
-    while (!order.is_finished()) {
+    while (!order.is_whole()) {
       executor_.RunAll();
       const auto row = call_.rows->Take();
       if (!row.has_value()) return absl::InternalError("no row came");
       if (!row->ok()) return row->status();
       order.Add(**row);
-      const auto next = order.Take(call_.pair_count);
-      distances.insert(distances.end(), next.begin(), next.end());
     }
-    return distances;
+    return std::vector(order.known().begin(), order.known().end());
   }
 
   void ExpectEuclid(const std::vector<PointPair>& pairs) {

@@ -59,22 +59,18 @@ TEST(PairPlan, CountsAPairOnce) {
 
 TEST(PairOrder, GivesDistancesInOrderWithoutGaps) {
   PairOrder order(4);
-  EXPECT_FALSE(order.has_next());
+  const auto known = [&] {
+    return std::vector(order.known().begin(), order.known().end());
+  };
+  EXPECT_EQ(known(), std::vector<double>());
   order.Add({.columns = {1, 3}, .values = {10, 30}});
-  EXPECT_FALSE(order.has_next());
+  EXPECT_EQ(known(), std::vector<double>());
   order.Add({.columns = {0}, .values = {0}});
-  ASSERT_TRUE(order.has_next());
-  const auto first = order.Take(10);
-  EXPECT_EQ(std::vector<double>(first.begin(), first.end()),
-            (std::vector<double>{0, 10}));
-  EXPECT_FALSE(order.has_next());
+  EXPECT_EQ(known(), (std::vector<double>{0, 10}));
+  EXPECT_FALSE(order.is_whole());
   order.Add({.columns = {2}, .values = {20}});
-  const auto second = order.Take(1);
-  EXPECT_EQ(std::vector<double>(second.begin(), second.end()),
-            std::vector<double>{20});
-  EXPECT_FALSE(order.is_finished());
-  EXPECT_EQ(order.Take(1)[0], 30);
-  EXPECT_TRUE(order.is_finished());
+  EXPECT_EQ(known(), (std::vector<double>{0, 10, 20, 30}));
+  EXPECT_TRUE(order.is_whole());
 }
 
 }  // namespace

@@ -6,12 +6,10 @@
 #include <cstdlib>
 #include <memory>
 
+#include "absl/strings/str_cat.h"
 #include "geodesic/v1/capabilities_service.pb.h"
-#include "geodesic/v1/field_service.pb.h"
-#include "geodesic/v1/matrix_service.pb.h"
 #include "geodesic/v1/mesh_service.pb.h"
-#include "geodesic/v1/pair_service.pb.h"
-#include "geodesic/v1/path_service.pb.h"
+#include "geodesic/v1/question_service.pb.h"
 
 namespace geodesic::server::test {
 namespace {
@@ -92,6 +90,10 @@ std::vector<RpcScript> MakeSeeds() {
   std::vector<RpcScript> seeds;
   for (const Seed& seed : kSeeds) {
     seeds.push_back({FrameOf(seed.method, seed.text)});
+    if (seed.method < RpcMethod::kComputeField) continue;
+    const std::string rest = absl::StrCat(
+        seed.text, R"( resumption { answer_id: "A" received: 1 })");
+    seeds.push_back({seeds.back()[0], FrameOf(seed.method, rest.c_str())});
   }
   RpcScript upload;
   for (const char* text : kUpload) {

@@ -58,8 +58,10 @@ std::string SerializeScript(const RpcScript& script);
 // An empty request of the method.
 std::unique_ptr<google::protobuf::Message> NewRequest(RpcMethod method);
 
-// A well-formed call of each method: where mutations begin. A digest of one
-// letter stands for one of the meshes that are there: see rpc_subject.h.
+// Well-formed calls of each method: where mutations begin. A digest of one
+// letter stands for one of the meshes that are there: see rpc_subject.h. In
+// place of the name of an answer that is resumed, "A" stands for the last one,
+// "B" for that before.
 const std::vector<RpcScript>& SeedScripts();
 
 // Changes a script in one place or a few as a client could: fields of messages

@@ -12,24 +12,25 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdlib>
+#include <initializer_list>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "geodesic/v1/field_service.pb.h"
-#include "geodesic/v1/query.pb.h"
+#include "geodesic/v1/answer.pb.h"
 #include "server/engine/query_engine.h"
 #include "server/operations/metrics.h"
 #include "server/rpc/calls/call.h"
 #include "server/rpc/calls/intake.h"
 #include "server/rpc/calls/peer.h"
 #include "server/rpc/calls/request_log.h"
+#include "server/rpc/streams/field_questions.h"
 #include "server/rpc/streams/field_stream.h"
+#include "server/rpc/streams/job_questions.h"
 #include "server/rpc/streams/mesh_streams.h"
-#include "server/rpc/streams/pair_stream.h"
-#include "server/rpc/streams/question_streams.h"
-#include "server/rpc/streams/row_stream.h"
+#include "server/rpc/streams/row_questions.h"
 #include "server/rpc/unary_calls.h"
 #include "server/security/access_control.h"
 #include "server/security/quotas.h"
@@ -78,28 +79,29 @@ TriangleSoup Book() {
       .triangles = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {0, 1, 5}}};
 }
 
-// Letters that stand for digests are replaced.
-void SetDigests(google::protobuf::Message& message,
-                const std::vector<std::string>& digests) {
+// Letters in fields of these names are replaced by the names they stand for.
+void SetNames(google::protobuf::Message& message,
+              std::initializer_list<const char*> fields,
+              const std::vector<std::string>& names) {
   const Reflection& reflection = *message.GetReflection();
-  const auto* type = message.GetDescriptor();
-  const auto replace = [&](std::string& text) {
+  const auto replaced = [&](const std::string& text) {
     const auto number = static_cast<size_t>(text.empty() ? 0 : text[0] - 'A');
-    if (text.size() == 1 && number < digests.size()) text = digests[number];
+    return text.size() == 1 && number < names.size() ? names[number] : text;
   };
-  for (const char* name : {"digest", "mesh_digest"}) {
-    const FieldDescriptor* field = type->FindFieldByName(name);
+  for (const char* name : fields) {
+    const FieldDescriptor* field =
+        message.GetDescriptor()->FindFieldByName(name);
     if (field == nullptr) continue;
-    std::string text = reflection.GetString(message, field);
-    replace(text);
-    reflection.SetString(&message, field, text);
-  }
-  const FieldDescriptor* list = type->FindFieldByName("mesh_digests");
-  if (list == nullptr) return;
-  for (int i = 0; i < reflection.FieldSize(message, list); ++i) {
-    std::string text = reflection.GetRepeatedString(message, list, i);
-    replace(text);
-    reflection.SetRepeatedString(&message, list, i, text);
+    if (!field->is_repeated()) {
+      reflection.SetString(&message, field,
+                           replaced(reflection.GetString(message, field)));
+      continue;
+    }
+    for (int i = 0; i < reflection.FieldSize(message, field); ++i) {
+      reflection.SetRepeatedString(
+          &message, field, i,
+          replaced(reflection.GetRepeatedString(message, field, i)));
+    }
   }
 }
 
@@ -134,48 +136,67 @@ void CheckDistances(const std::string& bytes) {
   for (const double value : values) Require(value >= 0);
 }
 
+// How many bytes a number takes.
+size_t SizeOf(v1::ValueType type) {
+  if (type == v1::VALUE_TYPE_UINT8) return 1;
+  return type == v1::VALUE_TYPE_FLOAT64 || type == v1::VALUE_TYPE_UINT64 ? 8
+                                                                         : 4;
+}
+
 // The messages of one streamed answer, in order. Aborts the program unless they
-// begin with a header and, if the method has one, end with a trailer, and no
-// distance is negative or not a number.
+// begin with a header and, but for a mesh, end with a trailer, arrays have no
+// gaps, and no distance is negative or not a number.
 class AnswerCheck {
  public:
   void Take(const google::protobuf::Message& message) {
-    const auto* type = message.GetDescriptor();
-    const auto* part = message.GetReflection()->GetOneofFieldDescriptor(
-        message, type->FindOneofByName("part"));
-    Require(part != nullptr);
-    const bool is_header = part->name() == "header";
-    Require(is_header == !has_begun_ && !has_trailer_);
-    has_begun_ = true;
-    has_trailer_ = part->name() == "trailer";
-    promises_trailer_ = type->name() != "ReadMeshResponse";
-    if (type->name() == "ComputeFieldResponse") {
-      CheckField(static_cast<const v1::ComputeFieldResponse&>(message));
+    if (const auto* answer = dynamic_cast<const v1::Answer*>(&message)) {
+      TakeAnswer(*answer);
+    } else {
+      const auto& mesh = static_cast<const v1::ReadMeshResponse&>(message);
+      Require(mesh.has_header() == !has_begun_);
+      is_complete_ = true;
     }
+    has_begun_ = true;
   }
 
   // After the last message.
   void End(const grpc::Status& status, bool was_cancelled) const {
     if (status.ok()) {
-      Require(has_begun_ && has_trailer_ == promises_trailer_);
+      Require(is_complete_);
     } else {
       CheckRefusal(status, was_cancelled);
     }
   }
 
+  // "" if it has none.
+  const std::string& answer_id() const { return answer_id_; }
+
  private:
-  void CheckField(const v1::ComputeFieldResponse& message) {
-    if (message.has_header()) value_type_ = message.header().value_type();
-    if (value_type_ != v1::VALUE_TYPE_FLOAT64) return;
-    CheckDistances(message.chunk().distances());
-    CheckDistances(message.targets().distances());
-    CheckDistances(message.settled().distances());
+  void TakeAnswer(const v1::Answer& answer) {
+    Require(!is_complete_ && answer.has_header() == !has_begun_);
+    if (answer.has_header()) header_ = answer.header();
+    is_complete_ = answer.has_trailer();
+    answer_id_ += answer.answer_id();
+    for (const v1::Block& block : answer.blocks()) {
+      Require(block.array() < static_cast<uint32_t>(header_.arrays_size()));
+      const v1::ArrayInfo& array = header_.arrays(block.array());
+      // One that is resumed begins anywhere.
+      uint64_t& next =
+          next_.try_emplace(block.array(), block.first()).first->second;
+      Require(block.first() == next);
+      next += block.values().size() / SizeOf(array.type());
+      if (array.type() == v1::VALUE_TYPE_FLOAT64 &&
+          (array.name().ends_with("distance") || array.name() == "length")) {
+        CheckDistances(block.values());
+      }
+    }
   }
 
   bool has_begun_ = false;
-  bool has_trailer_ = false;
-  bool promises_trailer_ = true;
-  v1::ValueType value_type_ = v1::VALUE_TYPE_UNSPECIFIED;
+  bool is_complete_ = false;
+  v1::AnswerHeader header_;
+  std::string answer_id_;
+  std::map<uint32_t, uint64_t> next_;  // numbers, by array
 };
 
 class Subject {
@@ -227,12 +248,19 @@ class Subject {
     return digest;
   }
 
-  // The frame's message with digests in place of letters; as it is if it is
+  // The frame's message with names in place of letters; as it is if it is
   // malformed.
   std::string Message(const RpcFrame& frame) const {
     const auto request = NewRequest(frame.method);
     if (!request->ParseFromString(frame.message)) return frame.message;
-    SetDigests(*request, digests_);
+    SetNames(*request, {"digest", "mesh_digest", "mesh_digests"}, digests_);
+    const FieldDescriptor* resumption =
+        request->GetDescriptor()->FindFieldByName("resumption");
+    const Reflection& reflection = *request->GetReflection();
+    if (resumption != nullptr && reflection.HasField(*request, resumption)) {
+      SetNames(*reflection.MutableMessage(request.get(), resumption),
+               {"answer_id"}, answer_ids_);
+    }
     return request->SerializeAsString();
   }
 
@@ -311,12 +339,13 @@ class Subject {
     calls_.clear();
   }
 
-  static void CheckEnd(const Call& call) {
+  void CheckEnd(const Call& call) {
     Require(call.call->is_over());
     const grpc::Status& status = call.call->status();
     const bool was_cancelled = call.call->was_cancelled();
     if (call.check != nullptr) {
       call.check->End(status, was_cancelled);
+      answer_ids_.insert(answer_ids_.begin(), call.check->answer_id());
     } else if (!status.ok()) {
       CheckRefusal(status, was_cancelled);
     }
@@ -360,6 +389,7 @@ class Subject {
       MakeCapabilities(engine_.limits(), 1 << 22, "1"),
       std::chrono::hours(24)};
   std::vector<std::string> digests_;
+  std::vector<std::string> answer_ids_;  // that of the last answer first
   std::vector<Call> calls_;
 };
 

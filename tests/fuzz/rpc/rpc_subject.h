@@ -14,8 +14,8 @@ namespace geodesic::server::test {
 //   - every call was answered once, and ended;
 //   - a refusal has a code of the contract's and a reason, and no refusal says
 //     that the server is at fault;
-//   - an answer begins with its header, ends with its trailer, and holds no
-//     distance that is negative or not a number;
+//   - an answer begins with its header, ends with its trailer, has no gap in an
+//     array, and holds no distance that is negative or not a number;
 //   - nothing is left: no job, no waiter, no reserved memory, no request.
 void RunScript(const RpcScript& script);
 

@@ -35,8 +35,8 @@ constexpr const char* kMethods[] = {
     "/geodesic.v1.MeshService/CreateMesh",
     "/geodesic.v1.MeshService/GetMesh",
     "/geodesic.v1.MeshService/ReadMesh",
-    "/geodesic.v1.FieldService/ComputeField",
-    "/geodesic.v1.PairService/ComputePairs",
+    "/geodesic.v1.QuestionService/ComputeField",
+    "/geodesic.v1.QuestionService/ComputePairs",
     "/geodesic.v1.CapabilitiesService/GetCapabilities",
     "/nothing.Here/AtAll"};
 constexpr const char* kTypes[] = {"application/grpc-web+proto",

@@ -3,23 +3,17 @@
 import math
 
 import grpc
-from client_fixture import INFINITY, ClientTest, doubles, main
+from client_fixture import INFINITY, ClientTest, main
 
 
 class ApproximateTest(ClientTest):
 
-    def field(self, digest, algorithm, **parameters):
-        """The header, the distances from vertex 0, and the trailer."""
-        request = self.field_pb.ComputeFieldRequest(
-            mesh_digest=digest, algorithm=algorithm)
-        request.sources.add(vertex=0)
-        if parameters:
-            request.approximation.CopyFrom(
-                self.query_pb.Approximation(**parameters))
-        parts = self.answer(self.fields.ComputeField(request, timeout=60))
-        distances = [d for chunk in parts["chunk"]
-                     for d in doubles(chunk.distances)]
-        return parts["header"][0], distances, parts["trailer"][0]
+    def approximate(self, digest, algorithm, **parameters):
+        """The field of vertex 0."""
+        return self.field(
+            digest, [(0, 0.0)], algorithm=algorithm,
+            approximation=(self.query_pb.Approximation(**parameters)
+                           if parameters else None))
 
     def test_approximate_fields_say_so(self):
         digest, positions, _ = self.grid()
@@ -28,12 +22,12 @@ class ApproximateTest(ClientTest):
                           self.query_pb.ALGORITHM_FMM_UNTIDY,
                           self.query_pb.ALGORITHM_SVG,
                           self.query_pb.ALGORITHM_GTU):
-            header, distances, trailer = self.field(digest, algorithm)
-            self.assertEqual(header.algorithm, algorithm)
-            self.assertTrue(header.HasField("approximation"))
-            self.assertEqual(trailer.relative_tolerance, INFINITY)
-            self.assertEqual(trailer.settled_radius, 0)
-            for distance, position in zip(distances, positions):
+            answer = self.approximate(digest, algorithm)
+            self.assertEqual(answer.header.algorithm, algorithm)
+            self.assertTrue(answer.header.HasField("approximation"))
+            self.assertEqual(answer.trailer.relative_tolerance, INFINITY)
+            self.assertEqual(answer.trailer.settled_radius, 0)
+            for distance, position in zip(answer.distance, positions):
                 exact = math.dist(position, positions[0])
                 # Fronts around a source are not straight.
                 self.assertAlmostEqual(distance, exact,
@@ -41,31 +35,30 @@ class ApproximateTest(ClientTest):
 
     def test_exact_fields_do_not(self):
         digest, positions, _ = self.grid()
-        self.field(digest, self.query_pb.ALGORITHM_FMM)
-        header, distances, trailer = self.field(
-            digest, self.query_pb.ALGORITHM_UNSPECIFIED)
-        self.assertFalse(header.HasField("approximation"))
-        self.assertLess(trailer.relative_tolerance, 1e-9)
-        self.assertEqual(trailer.settled_radius, INFINITY)
-        for distance, position in zip(distances, positions):
+        self.approximate(digest, self.query_pb.ALGORITHM_FMM)
+        answer = self.field(digest, [(0, 0.0)])
+        self.assertFalse(answer.header.HasField("approximation"))
+        self.assertLess(answer.trailer.relative_tolerance, 1e-9)
+        self.assertEqual(answer.trailer.settled_radius, INFINITY)
+        for distance, position in zip(answer.distance, positions):
             self.assertAlmostEqual(distance, math.dist(position, positions[0]),
                                    delta=1e-10)
 
     def test_parameters_come_back(self):
         digest, _, _ = self.grid()
-        header, _, _ = self.field(digest, self.query_pb.ALGORITHM_HEAT,
-                                  **{"lambda": 3.0})
-        self.assertEqual(getattr(header.approximation, "lambda"), 3.0)
-        self.assertFalse(header.approximation.HasField("neighbours"))
+        used = self.approximate(digest, self.query_pb.ALGORITHM_HEAT,
+                                **{"lambda": 3.0}).header.approximation
+        self.assertEqual(getattr(used, "lambda"), 3.0)
+        self.assertFalse(used.HasField("neighbours"))
         self.assert_fails(
             grpc.StatusCode.INVALID_ARGUMENT, "no parameter of svg",
-            lambda: self.field(digest, self.query_pb.ALGORITHM_SVG,
-                               samples=3))
+            lambda: self.approximate(digest, self.query_pb.ALGORITHM_SVG,
+                                     samples=3))
 
     def test_parameters_out_of_range_are_refused(self):
         digest, _, _ = self.grid()
         pb = self.query_pb
-        self.field(digest, pb.ALGORITHM_HEAT)
+        self.approximate(digest, pb.ALGORITHM_HEAT)
         for algorithm, name, value in (
                 (pb.ALGORITHM_HEAT, "lambda", math.nan),
                 (pb.ALGORITHM_HEAT, "lambda", 0),
@@ -73,7 +66,7 @@ class ApproximateTest(ClientTest):
                 (pb.ALGORITHM_GTU, "samples", 0)):
             self.assert_fails(
                 grpc.StatusCode.INVALID_ARGUMENT, "is not",
-                lambda: self.field(digest, algorithm, **{name: value}))
+                lambda: self.approximate(digest, algorithm, **{name: value}))
 
     def test_nothing_is_prepared_for_what_is_refused(self):
         digest, positions, _ = self.grid()
@@ -83,24 +76,15 @@ class ApproximateTest(ClientTest):
         sources = [self.surface_pb.Source(vertex=len(positions))]
         common = {"mesh_digest": digest, "algorithm": svg,
                   "approximation": nine}
-        for call in (
-                lambda: self.fields.ComputeField(
-                    self.field_pb.ComputeFieldRequest(
-                        sources=sources, **common), timeout=60),
-                lambda: self.matrices.ComputeMatrix(
-                    self.matrix_pb.ComputeMatrixRequest(
-                        sources=sources, **common), timeout=60),
-                lambda: self.matrices.FindNearest(
-                    self.matrix_pb.FindNearestRequest(
-                        sources=sources, targets=self.vertices(1), count=1,
-                        **common), timeout=60),
-                lambda: self.pairs.ComputePairs(
-                    self.pair_pb.ComputePairsRequest(
-                        pairs=[self.pair_pb.PointPair(
-                            source=missing[0], target=missing[0])],
-                        **common), timeout=60)):
-            self.assert_fails(grpc.StatusCode.INVALID_ARGUMENT,
-                              "out of range", lambda: list(call()))
+        pair = self.question_pb.PointPair(source=missing[0], target=missing[0])
+        for name, fields in (
+                ("ComputeField", {"sources": sources}),
+                ("ComputeMatrix", {"sources": sources}),
+                ("FindNearest", {"sources": sources, "count": 1,
+                                 "targets": self.vertices(1)}),
+                ("ComputePairs", {"pairs": [pair]})):
+            self.assert_fails(grpc.StatusCode.INVALID_ARGUMENT, "out of range",
+                              lambda: self.ask(name, **common, **fields))
         mesh = self.meshes.GetMesh(
             self.mesh_service_pb.GetMeshRequest(digest=digest),
             timeout=60).mesh
@@ -110,7 +94,7 @@ class ApproximateTest(ClientTest):
     def test_what_is_prepared_is_described(self):
         digest, _, _ = self.grid()
         svg = self.query_pb.ALGORITHM_SVG
-        self.field(digest, svg, neighbours=7)
+        self.approximate(digest, svg, neighbours=7)
         mesh = self.meshes.GetMesh(
             self.mesh_service_pb.GetMeshRequest(digest=digest),
             timeout=60).mesh
@@ -130,12 +114,10 @@ class ApproximateTest(ClientTest):
         digest, _, _ = self.grid()
         self.assert_fails(
             grpc.StatusCode.INVALID_ARGUMENT, "heat is approximate",
-            lambda: list(self.paths.ComputePaths(
-                self.path_pb.ComputePathsRequest(
-                    mesh_digest=digest,
-                    sources=[self.surface_pb.Source(vertex=0)],
-                    targets=self.vertices(1),
-                    algorithm=self.query_pb.ALGORITHM_HEAT), timeout=60)))
+            lambda: self.ask("ComputePaths", mesh_digest=digest,
+                             sources=[self.surface_pb.Source(vertex=0)],
+                             targets=self.vertices(1),
+                             algorithm=self.query_pb.ALGORITHM_HEAT))
 
 
 if __name__ == "__main__":

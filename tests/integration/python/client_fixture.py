@@ -10,6 +10,7 @@ import os
 import struct
 import sys
 import tempfile
+import types
 import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "..",
@@ -48,14 +49,6 @@ def mesh_digest(positions, faces):
                           canonical_arrays(positions, faces)).hexdigest()
 
 
-def doubles(data):
-    return list(struct.unpack("<%dd" % (len(data) // 8), data))
-
-
-def numbers32(data):
-    return list(struct.unpack("<%dI" % (len(data) // 4), data))
-
-
 class ClientTest(unittest.TestCase):
     """A server and stubs for the tests of a class."""
 
@@ -71,19 +64,15 @@ class ClientTest(unittest.TestCase):
         channel = grpc.insecure_channel(server.address)
         cls.addClassCleanup(channel.close)
         cls.capabilities_pb = stubs.capabilities_service_pb2
-        cls.field_pb = stubs.field_service_pb2
+        cls.answer_pb = stubs.answer_pb2
         cls.mesh_pb = stubs.mesh_pb2
         cls.mesh_service_pb = stubs.mesh_service_pb2
-        cls.matrix_pb = stubs.matrix_service_pb2
-        cls.pair_pb = stubs.pair_service_pb2
-        cls.path_pb = stubs.path_service_pb2
         cls.query_pb = stubs.query_pb2
+        cls.question_pb = stubs.question_service_pb2
         cls.surface_pb = stubs.surface_pb2
         cls.meshes = stubs.mesh_service_pb2_grpc.MeshServiceStub(channel)
-        cls.fields = stubs.field_service_pb2_grpc.FieldServiceStub(channel)
-        cls.paths = stubs.path_service_pb2_grpc.PathServiceStub(channel)
-        cls.matrices = stubs.matrix_service_pb2_grpc.MatrixServiceStub(channel)
-        cls.pairs = stubs.pair_service_pb2_grpc.PairServiceStub(channel)
+        cls.questions = stubs.question_service_pb2_grpc.QuestionServiceStub(
+            channel)
         cls.capabilities = (
             stubs.capabilities_service_pb2_grpc.CapabilitiesServiceStub(
                 channel))
@@ -107,21 +96,72 @@ class ClientTest(unittest.TestCase):
 
         return self.meshes.CreateMesh(requests(), timeout=60)
 
-    def compute(self, digest, sources):
-        """The values, and the messages that are not values."""
-        request = self.field_pb.ComputeFieldRequest(mesh_digest=digest)
-        for vertex, offset in sources:
-            request.sources.add(vertex=vertex, offset=offset)
-        values = []
-        others = []
-        for response in self.fields.ComputeField(request, timeout=60):
-            if response.WhichOneof("part") == "chunk":
-                self.assertEqual(response.chunk.offset, len(values))
-                data = response.chunk.distances
-                values += struct.unpack("<%dd" % (len(data) // 8), data)
-            else:
-                others.append(response)
-        return values, others
+    def stream(self, name, **fields):
+        """The messages that answer the question of that name."""
+        request = getattr(self.question_pb, name + "Request")(**fields)
+        return getattr(self.questions, name)(request, timeout=60)
+
+    def ask(self, name, **fields):
+        """Its answer, as answer() has it."""
+        return self.answer(self.stream(name, **fields))
+
+    def answer(self, messages):
+        """The header, the trailer and the arrays by their names, as lists of
+        numbers or of rows. Checks that they come as they should."""
+        header = trailer = None
+        data = []
+        for message in messages:
+            self.assertIsNone(trailer)
+            self.assertEqual(message.HasField("header"), header is None)
+            if header is None:
+                header = message.header
+                data = [b""] * len(header.arrays)
+            for block in message.blocks:
+                size = struct.calcsize(self.format_of(header, block.array))
+                self.assertEqual(block.first * size, len(data[block.array]))
+                data[block.array] += block.values
+            if message.HasField("trailer"):
+                trailer = message.trailer
+        self.assertIsNotNone(trailer)
+        found = types.SimpleNamespace(header=header, trailer=trailer)
+        for number, array in enumerate(header.arrays):
+            values = [value for value, in struct.iter_unpack(
+                self.format_of(header, number), data[number])]
+            if array.shape[0] >= 0:
+                self.assertEqual(len(values), math.prod(array.shape))
+            if len(array.shape) > 1:
+                values = list(zip(*[iter(values)] * array.shape[1]))
+            setattr(found, array.name, values)
+        return found
+
+    def format_of(self, header, array):
+        """Of the numbers of an array, for `struct`."""
+        name = self.query_pb.ValueType.Name(header.arrays[array].type)
+        return {"FLOAT64": "<d", "FLOAT32": "<f", "UINT32": "<I", "UINT64": "<Q",
+                "UINT8": "<B"}[name[len("VALUE_TYPE_"):]]
+
+    def lines(self, answer):
+        """The points of each line, as places and in space."""
+        points = []
+        for kind, (first, second), weights, position in zip(
+                answer.point_kind, answer.point_numbers, answer.point_weights,
+                answer.position):
+            point = self.surface_pb.SurfacePoint
+            points.append(([
+                point(vertex=first),
+                point(edge=self.edge(first, second, weights[0])),
+                point(face=self.surface_pb.FacePoint(face=first,
+                                                     weights=weights))
+            ][kind], position))
+        self.assertEqual(([0] + answer.line_end)[-1], len(points))
+        return [points[first:last]
+                for first, last in zip([0] + answer.line_end, answer.line_end)]
+
+    def field(self, digest, sources, **fields):
+        """The answer for sources of vertices and their offsets."""
+        return self.ask("ComputeField", mesh_digest=digest, sources=[
+            self.surface_pb.Source(vertex=vertex, offset=offset)
+            for vertex, offset in sources], **fields)
 
     def grid(self):
         """Uploads the grid; its digest, positions and faces."""
@@ -172,25 +212,6 @@ class ClientTest(unittest.TestCase):
             face=self.surface_pb.FacePoint(face=30, weights=weights),
             offset=offset)
         return source, place
-
-    def answer(self, responses):
-        """The parts of a streamed answer, by kind; checks its frame."""
-        parts = {}
-        for response in responses:
-            kind = response.WhichOneof("part")
-            self.assertNotIn("trailer", parts)
-            self.assertEqual(kind == "header", not parts)
-            parts.setdefault(kind, []).append(getattr(response, kind))
-        self.assertEqual(len(parts["trailer"]), 1)
-        return parts
-
-    def points(self, piece):
-        """The positions of a polyline that came in one piece."""
-        self.assertEqual(piece.first_point, 0)
-        self.assertEqual(piece.point_count, len(piece.points))
-        numbers = doubles(piece.positions)
-        self.assertEqual(len(numbers), 3 * len(piece.points))
-        return [numbers[i:i + 3] for i in range(0, len(numbers), 3)]
 
     def assert_fails(self, code, words, call):
         with self.assertRaises(grpc.RpcError) as caught:

@@ -1,112 +1,85 @@
 """Distance fields, samples and log maps."""
 
 import math
-import struct
 
 import grpc
 
-from client_fixture import (GRID, INFINITY, ClientTest, doubles, main,
-                            numbers32, planar_grid)
+from client_fixture import GRID, INFINITY, ClientTest, main, planar_grid
 
 
 class FieldTest(ClientTest):
 
     def test_planar_grid_is_euclid(self):
-        positions, faces = planar_grid()
-        digest = self.upload(positions, faces).mesh.digest
+        digest, positions, _ = self.grid()
         sources = [(0, 0.0), (len(positions) // 2, 0.125)]
-        values, others = self.compute(digest, sources)
-        self.assertEqual(len(values), len(positions))
-        for position, value in zip(positions, values):
+        answer = self.field(digest, sources)
+        for position, value in zip(positions, answer.distance):
             expected = min(offset + math.dist(position, positions[vertex])
                            for vertex, offset in sources)
             self.assertAlmostEqual(value, expected, delta=1e-10)
-        self.assertEqual(others[0].WhichOneof("part"), "header")
-        self.assertEqual(others[0].header.vertex_count, len(positions))
-        self.assertEqual(others[-1].WhichOneof("part"), "trailer")
-        self.assertGreater(others[-1].trailer.statistics.windows_created, 0)
-        self.assertGreater(others[-1].trailer.relative_tolerance, 0)
+        self.assertEqual(answer.header.mesh_digest, digest)
+        self.assertEqual(answer.header.vertex_count, len(positions))
+        self.assertEqual(len(answer.distance), len(positions))
+        self.assertGreater(answer.trailer.statistics.windows_created, 0)
+        self.assertGreater(answer.trailer.relative_tolerance, 0)
 
     def test_second_answer_comes_from_the_cache(self):
-        positions, faces = planar_grid()
-        digest = self.upload(positions, faces).mesh.digest
-        first, _ = self.compute(digest, [(3, 0.0)])
-        second, others = self.compute(digest, [(3, 0.0)])
-        self.assertEqual(others[-1].trailer.origin,
-                         self.field_pb.FIELD_ORIGIN_CACHED)
-        self.assertEqual(first, second)
+        digest, _, _ = self.grid()
+        first = self.field(digest, [(3, 0.0)])
+        second = self.field(digest, [(3, 0.0)])
+        for part in (second.header, second.trailer):
+            self.assertEqual(part.origin, self.answer_pb.ANSWER_ORIGIN_CACHED)
+        self.assertEqual(first.distance, second.distance)
 
     def test_field_from_a_face_with_everything(self):
         digest, positions, _ = self.grid()
         source, place = self.face_source(offset=0.25)
-        request = self.field_pb.ComputeFieldRequest(
-            mesh_digest=digest,
-            sources=[source],
-            targets=[
-                self.surface_pb.SurfacePoint(
-                    edge=self.surface_pb.EdgePoint(**{"from": 0}, to=1, t=0.5))
-            ],
+        answer = self.ask(
+            "ComputeField", mesh_digest=digest, sources=[source],
+            targets=[self.surface_pb.SurfacePoint(edge=self.edge(0, 1, 0.5))],
             value_type=self.query_pb.VALUE_TYPE_FLOAT64,
-            quantities=[
-                self.field_pb.FIELD_QUANTITY_NEAREST_SOURCE,
-                self.field_pb.FIELD_QUANTITY_GRADIENT
-            ])
-        distances, nearest, gradients, targets = [], [], [], []
-        for response in self.fields.ComputeField(request, timeout=60):
-            distances += doubles(response.chunk.distances)
-            nearest += numbers32(response.chunk.nearest_sources)
-            gradients += doubles(response.chunk.gradients)
-            targets += doubles(response.targets.distances)
-        self.assertEqual(nearest, [0] * len(positions))
+            quantities=[self.question_pb.FIELD_QUANTITY_NEAREST_SOURCE,
+                        self.question_pb.FIELD_QUANTITY_GRADIENT])
+        self.assertEqual(answer.nearest_source, [0] * len(positions))
         self.assertAlmostEqual(
-            targets[0], 0.25 + math.dist(place, (0.5 / GRID, 0, 0)),
-            delta=1e-10)
-        for v, position in enumerate(positions):
+            answer.target_distance[0],
+            0.25 + math.dist(place, (0.5 / GRID, 0, 0)), delta=1e-10)
+        for distance, gradient, position in zip(
+                answer.distance, answer.gradient, positions):
             length = math.dist(place, position)
-            self.assertAlmostEqual(distances[v], 0.25 + length, delta=1e-10)
+            self.assertAlmostEqual(distance, 0.25 + length, delta=1e-10)
             for axis in range(3):
                 self.assertAlmostEqual(
-                    gradients[3 * v + axis],
-                    (position[axis] - place[axis]) / length, delta=1e-9)
+                    gradient[axis], (position[axis] - place[axis]) / length,
+                    delta=1e-9)
 
     def test_field_streams_what_is_settled_up_to_a_radius(self):
         digest, positions, _ = self.grid()
         source, place = self.face_source()
-        settled = []
-        trailer = None
-        for response in self.fields.ComputeField(
-                self.field_pb.ComputeFieldRequest(
-                    mesh_digest=digest, sources=[source], radius=0.5,
-                    progressive=True), timeout=60):
-            if response.HasField("settled"):
-                settled += zip(numbers32(response.settled.vertices),
-                               doubles(response.settled.distances))
-            elif response.HasField("trailer"):
-                trailer = response.trailer
-        self.assertGreaterEqual(trailer.settled_radius, 0.5)
-        self.assertEqual([d for _, d in settled],
-                         sorted(d for _, d in settled))
+        answer = self.ask("ComputeField", mesh_digest=digest, sources=[source],
+                          radius=0.5, progressive=True)
+        self.assertGreaterEqual(answer.trailer.settled_radius, 0.5)
+        self.assertEqual(answer.settled_distance,
+                         sorted(answer.settled_distance))
         self.assertEqual(
-            {v for v, _ in settled},
+            set(answer.settled_vertex),
             {v for v, p in enumerate(positions) if math.dist(p, place) <= 0.5})
-        for vertex, distance in settled:
+        for vertex, distance in zip(answer.settled_vertex,
+                                    answer.settled_distance):
             self.assertAlmostEqual(
                 distance, math.dist(positions[vertex], place), delta=1e-10)
 
     def test_a_curve_is_a_source(self):
         digest, positions, _ = self.grid()
-        curve = self.surface_pb.Curve(points=[
-            self.surface_pb.SurfacePoint(vertex=v)
-            for v in range(2, 7)])  # along the lower side
-        request = self.field_pb.ComputeFieldRequest(
-            mesh_digest=digest,
+        curve = self.surface_pb.Curve(
+            points=self.vertices(*range(2, 7)))  # along the lower side
+        answer = self.ask(
+            "ComputeField", mesh_digest=digest,
             sources=[self.surface_pb.Source(curve=curve, offset=0.5)],
             value_type=self.query_pb.VALUE_TYPE_FLOAT32)
-        data = b"".join(
-            r.chunk.distances
-            for r in self.fields.ComputeField(request, timeout=60))
-        values = struct.unpack("<%df" % len(positions), data)
-        for value, (x, y, _) in zip(values, positions):
+        self.assertEqual(answer.header.arrays[0].type,
+                         self.query_pb.VALUE_TYPE_FLOAT32)
+        for value, (x, y, _) in zip(answer.distance, positions):
             nearest = min(max(x, 0.2), 0.6)
             self.assertAlmostEqual(value, 0.5 + math.hypot(x - nearest, y),
                                    delta=1e-6)
@@ -114,41 +87,26 @@ class FieldTest(ClientTest):
     def test_labels_name_the_nearest_of_several(self):
         digest, positions, _ = self.grid()
         sources = [(0, 0.0), (GRID, 0.25), (len(positions) - 1, 0.1)]
-        request = self.field_pb.ComputeFieldRequest(
-            mesh_digest=digest,
-            quantities=[self.field_pb.FIELD_QUANTITY_NEAREST_SOURCE])
-        for vertex, offset in sources:
-            request.sources.add(vertex=vertex, offset=offset)
-        nearest = []
-        for response in self.fields.ComputeField(request, timeout=60):
-            nearest += numbers32(response.chunk.nearest_sources)
-        self.assertEqual(len(nearest), len(positions))
-        for position, label in zip(positions, nearest):
+        answer = self.field(
+            digest, sources,
+            quantities=[self.question_pb.FIELD_QUANTITY_NEAREST_SOURCE])
+        for position, label in zip(positions, answer.nearest_source):
             ways = [offset + math.dist(position, positions[vertex])
                     for vertex, offset in sources]
             self.assertAlmostEqual(ways[label], min(ways), delta=1e-10)
 
     def test_a_limited_field_goes_on(self):
         digest, positions, _ = self.grid()
-        request = self.field_pb.ComputeFieldRequest(
-            mesh_digest=digest, radius=0.3,
-            sources=[self.surface_pb.Source(vertex=5, offset=0.001)])
-        origins = []
         for limit in (0.3, None):
-            if limit is None:
-                request.ClearField("radius")
-            values = []
-            for response in self.fields.ComputeField(request, timeout=60):
-                values += doubles(response.chunk.distances)
-                if response.HasField("trailer"):
-                    origins.append(response.trailer.origin)
-            for value, position in zip(values, positions):
+            answer = self.field(digest, [(5, 0.001)], radius=limit)
+            for value, position in zip(answer.distance, positions):
                 expected = 0.001 + math.dist(position, positions[5])
                 if limit is None or expected <= limit:
                     self.assertAlmostEqual(value, expected, delta=1e-10)
                 else:
                     self.assertEqual(value, math.inf)
-        self.assertEqual(origins[1], self.field_pb.FIELD_ORIGIN_COMPUTED)
+        self.assertEqual(answer.trailer.origin,
+                         self.answer_pb.ANSWER_ORIGIN_COMPUTED)
 
     def test_what_had_settled_before_a_cancel_is_final(self):
         side = 150
@@ -161,109 +119,90 @@ class FieldTest(ClientTest):
                 faces += [(a, a + 1, b + 1), (a, b + 1, b)]
         digest = self.upload(positions, faces).mesh.digest
         # A client that reads this little at a time cannot have got all of it.
-        call = self.fields.ComputeField(
-            self.field_pb.ComputeFieldRequest(
-                mesh_digest=digest, progressive=True,
-                sources=[self.surface_pb.Source(vertex=0)]), timeout=60)
-        settled = []
-        for response in call:
-            settled += zip(numbers32(response.settled.vertices),
-                           doubles(response.settled.distances))
-            if settled:
+        call = self.stream("ComputeField", mesh_digest=digest, progressive=True,
+                           sources=[self.surface_pb.Source(vertex=0)])
+        came = []
+        for message in call:
+            came.append(message)
+            if message.blocks:
                 break
         call.cancel()
         with self.assertRaises(grpc.RpcError) as caught:
             for _ in call:
                 pass
         self.assertEqual(caught.exception.code(), grpc.StatusCode.CANCELLED)
-        for vertex, distance in settled:
+        came[-1].trailer.SetInParent()  # for it is no whole answer
+        answer = self.answer(came)
+        self.assertTrue(answer.settled_vertex)
+        for vertex, distance in zip(answer.settled_vertex,
+                                    answer.settled_distance):
             self.assertAlmostEqual(
                 distance, math.dist(positions[vertex], positions[0]),
                 delta=1e-9)
 
     def test_samples_are_the_farthest(self):
         digest, positions, _ = self.grid()
-        parts = self.answer(self.fields.SampleFarthestPoints(
-            self.field_pb.SampleFarthestPointsRequest(
-                mesh_digest=digest, count=6,
-                sources=[self.surface_pb.Source(vertex=0)]), timeout=60))
+        answer = self.ask(
+            "SampleFarthestPoints", mesh_digest=digest, count=6,
+            sources=[self.surface_pb.Source(vertex=0)])
+        self.assertEqual(len(answer.vertex), 6)
         chosen = [0]
-        samples = [s for chunk in parts["samples"] for s in chunk.samples]
-        self.assertEqual(len(samples), 6)
-        for sample in samples:
+        for vertex, distance in zip(answer.vertex, answer.distance):
             gap = [min(math.dist(p, positions[c]) for c in chosen)
                    for p in positions]
-            self.assertAlmostEqual(sample.distance, max(gap), delta=1e-10)
-            self.assertAlmostEqual(sample.distance, gap[sample.vertex],
-                                   delta=1e-10)
-            chosen.append(sample.vertex)
+            self.assertAlmostEqual(distance, max(gap), delta=1e-10)
+            self.assertAlmostEqual(distance, gap[vertex], delta=1e-10)
+            chosen.append(vertex)
 
     def test_log_map_is_a_rotation_of_the_plane(self):
         digest, positions, _ = self.grid()
-        _, place = self.face_source()
-        source, _ = self.face_source()
-        parts = self.answer(self.fields.ComputeLogMap(
-            self.field_pb.ComputeLogMapRequest(
-                mesh_digest=digest,
-                source=self.surface_pb.SurfacePoint(face=source.face)),
-            timeout=60))
-        x = parts["frame"][0].zero_direction
-        uv = [d for chunk in parts["chunk"]
-              for d in doubles(chunk.coordinates)]
-        self.assertEqual(len(uv), 2 * len(positions))
-        for v, position in enumerate(positions):
+        source, place = self.face_source()
+        answer = self.ask(
+            "ComputeLogMap", mesh_digest=digest,
+            source=self.surface_pb.SurfacePoint(face=source.face))
+        x, y, _ = answer.zero_direction
+        for (u, v), position in zip(answer.coordinates, positions):
             dx, dy = position[0] - place[0], position[1] - place[1]
-            self.assertAlmostEqual(uv[2 * v], dx * x.x + dy * x.y, delta=1e-9)
-            self.assertAlmostEqual(uv[2 * v + 1], dy * x.x - dx * x.y,
-                                   delta=1e-9)
+            self.assertAlmostEqual(u, dx * x + dy * y, delta=1e-9)
+            self.assertAlmostEqual(v, dy * x - dx * y, delta=1e-9)
 
     def test_a_field_may_stop_at_its_targets(self):
         digest, positions, faces = self.grid()
-        source = self.surface_pb.Source(vertex=0, offset=0.002)
         targets = self.places()
-        distances, targets_found, trailer = [], [], None
-        for response in self.fields.ComputeField(
-                self.field_pb.ComputeFieldRequest(
-                    mesh_digest=digest, sources=[source], targets=targets,
-                    stop_after_targets=1), timeout=60):
-            distances += doubles(response.chunk.distances)
-            targets_found += doubles(response.targets.distances)
-            if response.HasField("trailer"):
-                trailer = response.trailer
+        answer = self.field(digest, [(0, 0.002)], targets=targets,
+                            stop_after_targets=1)
         expected = [
             0.002 + math.dist(self.where(t, positions, faces), positions[0])
             for t in targets
         ]
-        self.assertAlmostEqual(min(targets_found), min(expected), delta=1e-10)
-        self.assertGreaterEqual(trailer.settled_radius, min(expected) - 1e-10)
-        for value, exact in zip(targets_found, expected):
-            self.assertTrue(value == INFINITY or abs(value - exact) < 1e-10)
-        for value, position in zip(distances, positions):
-            exact = 0.002 + math.dist(position, positions[0])
+        self.assertAlmostEqual(min(answer.target_distance), min(expected),
+                               delta=1e-10)
+        self.assertGreaterEqual(answer.trailer.settled_radius,
+                                min(expected) - 1e-10)
+        expected += [0.002 + math.dist(p, positions[0]) for p in positions]
+        found = answer.target_distance + answer.distance
+        self.assertEqual(len(found), len(expected))
+        for value, exact in zip(found, expected):
             self.assertTrue(value == INFINITY or abs(value - exact) < 1e-10)
 
     def test_an_isolated_source_reaches_nothing_else(self):
         positions, faces = planar_grid()
         alone = len(positions)
         digest = self.upload(positions + [(2.0, 2.0, 0.0)], faces).mesh.digest
-        values, _ = self.compute(digest, [(alone, 0.5)])
-        self.assertEqual(values, [INFINITY] * alone + [0.5])
+        self.assertEqual(self.field(digest, [(alone, 0.5)]).distance,
+                         [INFINITY] * alone + [0.5])
 
     def test_log_map_around_a_point_of_an_edge(self):
         digest, positions, faces = self.grid()
         source = self.places()[1]
         place = self.where(source, positions, faces)
-        parts = self.answer(self.fields.ComputeLogMap(
-            self.field_pb.ComputeLogMapRequest(
-                mesh_digest=digest, source=source, radius=0.5),
-            timeout=60))
-        uv = [d for chunk in parts["chunk"]
-              for d in doubles(chunk.coordinates)]
-        for v, position in enumerate(positions):
+        answer = self.ask("ComputeLogMap", mesh_digest=digest, source=source,
+                          radius=0.5)
+        for coordinates, position in zip(answer.coordinates, positions):
             if math.dist(position, place) > 0.5:
-                self.assertTrue(math.isnan(uv[2 * v]))
+                self.assertTrue(math.isnan(coordinates[0]))
             else:
-                self.assertAlmostEqual(math.hypot(uv[2 * v], uv[2 * v + 1]),
+                self.assertAlmostEqual(math.hypot(*coordinates),
                                        math.dist(position, place), delta=1e-9)
 
 

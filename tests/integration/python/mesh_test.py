@@ -56,7 +56,7 @@ class MeshTest(ClientTest):
         self.assertEqual(mesh.non_manifold_edge_count, 1)
         self.assertEqual(mesh.non_manifold_vertex_count, 2)
         self.assertFalse(mesh.HasField("genus"))
-        values, _ = self.compute(mesh.digest, [(2, 0.0)])
+        values = self.field(mesh.digest, [(2, 0.0)]).distance
         for value, expected in zip(values, [1, math.sqrt(2), 0, 2, 2]):
             self.assertAlmostEqual(value, expected, delta=1e-12)
 

@@ -99,8 +99,8 @@ class Replica:
             server.address, options=[("grpc.use_local_subchannel_pool", 1)])
         test.addCleanup(channel.close)
         self._meshes = self._pb.mesh_service_pb2_grpc.MeshServiceStub(channel)
-        self._fields = self._pb.field_service_pb2_grpc.FieldServiceStub(channel)
-        self._pairs = self._pb.pair_service_pb2_grpc.PairServiceStub(channel)
+        self._questions = (
+            self._pb.question_service_pb2_grpc.QuestionServiceStub(channel))
 
     def metric(self, name):
         """A sample, named with its labels."""
@@ -144,21 +144,22 @@ class Replica:
 
     def field(self, digest, vertex, algorithm=0, nearest=False):
         """The bytes of distances and nearest sources."""
-        request = self._pb.field_service_pb2.ComputeFieldRequest(
+        request = self._pb.question_service_pb2.ComputeFieldRequest(
             mesh_digest=digest, algorithm=algorithm,
             sources=[self._pb.surface_pb2.Source(vertex=vertex)])
         if nearest:
             request.quantities.append(
-                self._pb.field_service_pb2.FIELD_QUANTITY_NEAREST_SOURCE)
-        return b"".join(
-            message.chunk.SerializeToString()
-            for message in self._fields.ComputeField(request, timeout=60)
-            if message.WhichOneof("part") == "chunk")
+                self._pb.question_service_pb2.FIELD_QUANTITY_NEAREST_SOURCE)
+        parts = [b"", b""]
+        for message in self._questions.ComputeField(request, timeout=60):
+            for block in message.blocks:
+                parts[block.array] += block.values
+        return tuple(parts)
 
     def await_landmarks(self, digest):
         """A question about a pair has them made, or fetched, after it."""
-        list(self._pairs.ComputePairs(
-            self._pb.pair_service_pb2.ComputePairsRequest(
+        list(self._questions.ComputePairs(
+            self._pb.question_service_pb2.ComputePairsRequest(
                 mesh_digest=digest, vertex_pairs=[0, 1]), timeout=60))
         await_that(lambda: self.describe(digest).landmark_count == 64)
 

@@ -15,42 +15,24 @@ class WrongArgumentsTest(ClientTest):
         positions, faces = planar_grid()
         digest = self.upload(positions, faces).mesh.digest
         self.assert_fails(grpc.StatusCode.INVALID_ARGUMENT, "100000",
-                          lambda: self.compute(digest, [(100000, 0.0)]))
+                          lambda: self.field(digest, [(100000, 0.0)]))
         self.assert_fails(grpc.StatusCode.INVALID_ARGUMENT, "source",
-                          lambda: self.compute(digest, []))
+                          lambda: self.field(digest, []))
         self.assert_fails(grpc.StatusCode.NOT_FOUND, "upload it again",
-                          lambda: self.compute("0" * 64, [(0, 0.0)]))
+                          lambda: self.field("0" * 64, [(0, 0.0)]))
         self.assert_fails(
             grpc.StatusCode.INVALID_ARGUMENT, "digest",
             lambda: self.upload(positions, faces, expected_digest="0" * 64))
 
-    def questions(self, digest, source):
-        """Each question about this source, by name."""
-        target = self.vertices(1)
-        return {
-            "field": lambda: list(self.fields.ComputeField(
-                self.field_pb.ComputeFieldRequest(
-                    mesh_digest=digest, sources=[source]), timeout=60)),
-            "sample": lambda: list(self.fields.SampleFarthestPoints(
-                self.field_pb.SampleFarthestPointsRequest(
-                    mesh_digest=digest, sources=[source], count=1),
-                timeout=60)),
-            "path": lambda: list(self.paths.ComputePaths(
-                self.path_pb.ComputePathsRequest(
-                    mesh_digest=digest, sources=[source], targets=target),
-                timeout=60)),
-            "isolines": lambda: list(self.paths.ComputeIsolines(
-                self.path_pb.ComputeIsolinesRequest(
-                    mesh_digest=digest, sources=[source], levels=[0.5]),
-                timeout=60)),
-            "matrix": lambda: list(self.matrices.ComputeMatrix(
-                self.matrix_pb.ComputeMatrixRequest(
-                    mesh_digest=digest, sources=[source]), timeout=60)),
-            "nearest": lambda: list(self.matrices.FindNearest(
-                self.matrix_pb.FindNearestRequest(
-                    mesh_digest=digest, sources=[source], targets=target,
-                    count=1), timeout=60)),
-        }
+    # What each question is asked with, beside its sources.
+    QUESTIONS = {
+        "ComputeField": {},
+        "SampleFarthestPoints": {"count": 1},
+        "ComputePaths": {"vertex_targets": [1]},
+        "ComputeIsolines": {"levels": [0.5]},
+        "ComputeMatrix": {},
+        "FindNearest": {"vertex_targets": [1], "count": 1},
+    }
 
     def test_wrong_sources_are_named_by_every_question(self):
         digest, _, _ = self.grid()
@@ -68,42 +50,34 @@ class WrongArgumentsTest(ClientTest):
                 ("t", {"edge": self.edge(0, 1, 1.5)}),
         ]:
             source = self.surface_pb.Source(**place)
-            for name, ask in self.questions(digest, source).items():
+            for name, fields in self.QUESTIONS.items():
                 with self.subTest(question=name, place=place):
-                    self.assert_fails(INVALID, words, ask)
+                    self.assert_fails(
+                        INVALID, words,
+                        lambda: self.ask(name, mesh_digest=digest,
+                                         sources=[source], **fields))
 
     def test_wrong_places_of_a_log_map_are_named(self):
         digest, _, _ = self.grid()
         for words, place in [("source", {}), ("vertex 121", {"vertex": 121}),
                              ("edge", {"edge": self.edge(0, 90, 0.5)})]:
             self.assert_fails(
-                INVALID, words, lambda: list(self.fields.ComputeLogMap(
-                    self.field_pb.ComputeLogMapRequest(
-                        mesh_digest=digest,
-                        source=self.surface_pb.SurfacePoint(**place)),
-                    timeout=60)))
+                INVALID, words, lambda: self.ask(
+                    "ComputeLogMap", mesh_digest=digest,
+                    source=self.surface_pb.SurfacePoint(**place)))
 
     def test_questions_about_nothing(self):
         digest, _, _ = self.grid()
-        sources = [self.surface_pb.Source(vertex=0)]
-        nearest = self.matrix_pb.FindNearestRequest
-        for words, ask in [
-                ("targets", lambda: list(self.paths.ComputePaths(
-                    self.path_pb.ComputePathsRequest(
-                        mesh_digest=digest, sources=sources)))),
-                ("levels", lambda: list(self.paths.ComputeIsolines(
-                    self.path_pb.ComputeIsolinesRequest(
-                        mesh_digest=digest, sources=sources)))),
-                ("count", lambda: list(self.fields.SampleFarthestPoints(
-                    self.field_pb.SampleFarthestPointsRequest(
-                        mesh_digest=digest, sources=sources)))),
-                ("count", lambda: list(self.matrices.FindNearest(nearest(
-                    mesh_digest=digest, sources=sources,
-                    targets=self.vertices(1))))),
-                ("targets", lambda: list(self.matrices.FindNearest(nearest(
-                    mesh_digest=digest, sources=sources, count=1)))),
+        for words, name, fields in [
+                ("targets", "ComputePaths", {}),
+                ("levels", "ComputeIsolines", {}),
+                ("count", "SampleFarthestPoints", {}),
+                ("count", "FindNearest", {"vertex_targets": [1]}),
+                ("targets", "FindNearest", {"count": 1}),
         ]:
-            self.assert_fails(INVALID, words, ask)
+            self.assert_fails(INVALID, words, lambda: self.ask(
+                name, mesh_digest=digest,
+                sources=[self.surface_pb.Source(vertex=0)], **fields))
 
 
 if __name__ == "__main__":

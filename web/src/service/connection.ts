@@ -3,17 +3,13 @@
 import { createClient, type CallOptions, type Client, type Interceptor } from "@connectrpc/connect";
 import { createGrpcWebTransport } from "@connectrpc/connect-web";
 import { CapabilitiesService } from "../../generated/geodesic/v1/capabilities_service_pb";
-import { FieldService } from "../../generated/geodesic/v1/field_service_pb";
 import { MeshService } from "../../generated/geodesic/v1/mesh_service_pb";
-import { PairService } from "../../generated/geodesic/v1/pair_service_pb";
-import { PathService } from "../../generated/geodesic/v1/path_service_pb";
+import { QuestionService } from "../../generated/geodesic/v1/question_service_pb";
 
 export class Connection {
   readonly capabilities: Client<typeof CapabilitiesService>;
   readonly meshes: Client<typeof MeshService>;
-  readonly fields: Client<typeof FieldService>;
-  readonly pairs: Client<typeof PairService>;
-  readonly paths: Client<typeof PathService>;
+  readonly questions: Client<typeof QuestionService>;
 
   /** `token` may be empty: then none is sent. */
   constructor(
@@ -27,9 +23,7 @@ export class Connection {
     const transport = createGrpcWebTransport({ baseUrl, interceptors: [authorize] });
     this.capabilities = createClient(CapabilitiesService, transport);
     this.meshes = createClient(MeshService, transport);
-    this.fields = createClient(FieldService, transport);
-    this.pairs = createClient(PairService, transport);
-    this.paths = createClient(PathService, transport);
+    this.questions = createClient(QuestionService, transport);
   }
 }
 

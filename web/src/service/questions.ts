@@ -1,12 +1,13 @@
 // The questions about distances, as streams of what the page shows.
 
 import type { MessageInitShape } from "@bufbuild/protobuf";
-import { FieldQuantity, type FieldTrailer } from "../../generated/geodesic/v1/field_service_pb";
+import type { AnswerTrailer } from "../../generated/geodesic/v1/answer_pb";
 import type { Algorithm } from "../../generated/geodesic/v1/query_pb";
-import type { SourceSchema, SurfacePointSchema } from "../../generated/geodesic/v1/surface_pb";
+import { FieldQuantity } from "../../generated/geodesic/v1/question_service_pb";
+import type { SourceSchema } from "../../generated/geodesic/v1/surface_pb";
 import type { Place, Source } from "../surface/place";
+import { readAnswer, type Arrays } from "./answer";
 import { about, type Connection } from "./connection";
-import { float64From, uint32From } from "./numbers";
 
 export interface FieldQuestion {
   digest: string;
@@ -45,59 +46,46 @@ export async function askField(
   settled: (part: Settled) => void,
   signal: AbortSignal,
 ): Promise<FieldSummary> {
-  const stream = connection.fields.computeField(
-    { ...shared(question), radius: question.radius, progressive: true },
-    about(question.digest, signal),
+  let from = 0;
+  const { trailer } = await readAnswer(
+    connection.questions.computeField(
+      { ...shared(question), radius: question.radius, progressive: true },
+      about(question.digest, signal),
+    ),
+    (arrays) => {
+      const vertices = arrays.get("settled_vertex", Uint32Array, from);
+      const distances = arrays.get("settled_distance", Float64Array, from).subarray(0, vertices.length);
+      settled({ vertices: vertices.subarray(0, distances.length), distances });
+      from += distances.length;
+    },
   );
-  let summary: FieldSummary | undefined;
-  for await (const { part } of stream) {
-    if (part.case === "settled") {
-      settled({ vertices: uint32From(part.value.vertices), distances: float64From(part.value.distances) });
-    } else if (part.case === "trailer") {
-      summary = summaryOf(part.value);
-    }
-  }
-  if (!summary) throw new Error("The answer broke off.");
-  return summary;
+  return summaryOf(trailer);
 }
 
 /** The distance of every vertex, at once; +infinity where none is known. */
 export async function askDistances(
   connection: Connection,
   question: FieldQuestion,
-  vertexCount: number,
   signal: AbortSignal,
 ): Promise<{ distances: Float64Array; summary: FieldSummary }> {
-  const distances = new Float64Array(vertexCount);
-  let summary: FieldSummary | undefined;
-  const stream = connection.fields.computeField(
+  const { arrays, trailer } = await readAnswer(connection.questions.computeField(
     { ...shared(question), radius: question.radius, tolerance: question.tolerance },
     about(question.digest, signal),
-  );
-  for await (const { part } of stream) {
-    if (part.case === "chunk") distances.set(float64From(part.value.distances), Number(part.value.offset));
-    if (part.case === "trailer") summary = summaryOf(part.value);
-  }
-  if (!summary) throw new Error("The answer broke off.");
-  return { distances, summary };
+  ));
+  return { distances: arrays.get("distance", Float64Array), summary: summaryOf(trailer) };
 }
 
 /** The number of the nearest source at each vertex, 0xffffffff for none. */
 export async function askCells(
   connection: Connection,
   question: FieldQuestion,
-  vertexCount: number,
   signal: AbortSignal,
 ): Promise<Uint32Array> {
-  const cells = new Uint32Array(vertexCount);
-  const stream = connection.fields.computeField(
+  const { arrays } = await readAnswer(connection.questions.computeField(
     { ...shared(question), radius: question.radius, quantities: [FieldQuantity.NEAREST_SOURCE] },
     about(question.digest, signal),
-  );
-  for await (const { part } of stream) {
-    if (part.case === "chunk") cells.set(uint32From(part.value.nearestSources), Number(part.value.offset));
-  }
-  return cells;
+  ));
+  return arrays.get("nearest_source", Uint32Array);
 }
 
 /** The shortest path to `target`; nothing if none leads there. */
@@ -107,25 +95,18 @@ export async function askPath(
   target: Place,
   signal: AbortSignal,
 ): Promise<SurfacePath | undefined> {
-  const stream = connection.paths.computePaths(
+  const { arrays } = await readAnswer(connection.questions.computePaths(
     { ...shared(question), targets: [pointOf(target)] },
     about(question.digest, signal),
-  );
-  let path: SurfacePath | undefined;
-  for await (const { part } of stream) {
-    if (part.case !== "path" || !part.value.piece || part.value.piece.pointCount === 0n) continue;
-    const { piece, distance, length, source } = part.value;
-    path ??= {
-      positions: new Float64Array(3 * Number(piece.pointCount)),
-      places: [],
-      distance,
-      length,
-      source: Number(source ?? 0n),
-    };
-    path.positions.set(float64From(piece.positions), 3 * Number(piece.firstPoint));
-    for (const point of piece.points) path.places.push(placeOf(point));
-  }
-  return path;
+  ));
+  const places = placesOf(arrays);
+  return places.length === 0 ? undefined : {
+    positions: arrays.get("position", Float64Array),
+    places,
+    distance: arrays.get("distance", Float64Array)[0],
+    length: arrays.get("length", Float64Array)[0],
+    source: arrays.get("source", Uint32Array)[0],
+  };
 }
 
 /** Vertices, each the farthest from the sources and from those before it. */
@@ -135,18 +116,12 @@ export async function askSamples(
   count: number,
   signal: AbortSignal,
 ): Promise<{ vertex: number; distance: number }[]> {
-  const samples: { vertex: number; distance: number }[] = [];
-  const stream = connection.fields.sampleFarthestPoints(
+  const { arrays } = await readAnswer(connection.questions.sampleFarthestPoints(
     { ...shared(question), count: BigInt(count) },
     about(question.digest, signal),
-  );
-  for await (const { part } of stream) {
-    if (part.case !== "samples") continue;
-    for (const { vertex, distance } of part.value.samples) {
-      samples.push({ vertex: Number(vertex), distance });
-    }
-  }
-  return samples;
+  ));
+  const distances = arrays.get("distance", Float64Array);
+  return Array.from(arrays.get("vertex", Uint32Array), (vertex, i) => ({ vertex, distance: distances[i] }));
 }
 
 /** A curve through the places in turn, by a shortest path from each to the next. */
@@ -155,24 +130,19 @@ export async function askCurve(
   digest: string,
   through: readonly Place[],
   signal: AbortSignal,
-): Promise<{ places: Place[]; positions: Float64Array }> {
+): Promise<Place[]> {
   const pairs = through.slice(1).map((place, i) => ({ source: pointOf(through[i]), target: pointOf(place) }));
-  const places: Place[] = [];
-  const positions: number[] = [];
-  const stream = connection.pairs.computePairs({ meshDigest: digest, pairs, paths: true }, about(digest, signal));
-  for await (const { part } of stream) {
-    if (part.case !== "path" || !part.value.piece) continue;
-    const { piece } = part.value;
-    if (piece.pointCount === 0n) throw new Error("No path leads along this curve.");
-    // Each path begins where the one before it ended.
-    const skip = places.length > 0 && piece.firstPoint === 0n ? 1 : 0;
-    for (const point of piece.points.slice(skip)) places.push(placeOf(point));
-    positions.push(...float64From(piece.positions).subarray(3 * skip));
-  }
-  return { places, positions: new Float64Array(positions) };
+  const { arrays } = await readAnswer(connection.questions.computePairs(
+    { meshDigest: digest, pairs, paths: true },
+    about(digest, signal),
+  ));
+  const starts = new Set([0, ...Array.from(arrays.get("line_end", BigUint64Array), Number)]);
+  if (starts.size <= pairs.length) throw new Error("No path leads along this curve.");
+  // Each path begins where the one before it ended.
+  return placesOf(arrays).filter((_, i) => i === 0 || !starts.has(i));
 }
 
-function summaryOf(trailer: FieldTrailer): FieldSummary {
+function summaryOf(trailer: AnswerTrailer): FieldSummary {
   return {
     settledRadius: trailer.settledRadius,
     solveSeconds: trailer.statistics?.solveSeconds ?? 0,
@@ -212,15 +182,14 @@ function pointOf(place: Place): PointInit {
   }
 }
 
-function placeOf(point: MessageInitShape<typeof SurfacePointSchema>): Place {
-  const place = point.place;
-  if (place?.case === "edge") {
-    const { from, to, t } = place.value;
-    return { kind: "edge", from: Number(from), to: Number(to), t: t ?? 0 };
-  }
-  if (place?.case === "face") {
-    const [a, b, c] = place.value.weights ?? [];
-    return { kind: "face", face: Number(place.value.face), weights: [a, b, c] };
-  }
-  return { kind: "vertex", vertex: Number(place?.value ?? 0) };
+function placesOf(arrays: Arrays): Place[] {
+  const numbers = arrays.get("point_numbers", Uint32Array);
+  const weights = arrays.get("point_weights", Float64Array);
+  return Array.from(arrays.get("point_kind", Uint8Array), (kind, i): Place => {
+    const [first, second] = numbers.subarray(2 * i);
+    const [a, b, c] = weights.subarray(3 * i);
+    if (kind === 1) return { kind: "edge", from: first, to: second, t: a };
+    if (kind === 2) return { kind: "face", face: first, weights: [a, b, c] };
+    return { kind: "vertex", vertex: first };
+  });
 }

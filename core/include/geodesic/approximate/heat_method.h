@@ -27,7 +27,7 @@ struct HeatOptions {
   // The time that heat spreads for is lambda h^2, with h the mean edge length.
   // More makes distances smoother; unequal edges want more (the paper's figure
   // 14). DEFAULT: 1, as in the literature.
-  double lambda = 1;
+  double lambda = MethodChoice().lambda;
   // Whether edges are turned inside the surface until they are those of an
   // intrinsic Delaunay triangulation. Without it, heat may become negative and
   // directions wrong where angles are obtuse. DEFAULT: true.

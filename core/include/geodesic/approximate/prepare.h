@@ -1,20 +1,19 @@
-// Prepares any approximate method by its place in the list (method.h).
+// Prepares any approximate method by its place in the list (algorithms.h).
 
 #ifndef GEODESIC_APPROXIMATE_PREPARE_H_
 #define GEODESIC_APPROXIMATE_PREPARE_H_
 
-#include <compare>
 #include <cstdint>
 #include <memory>
 
 #include "absl/status/statusor.h"
 #include "geodesic/approximate/heat_method.h"
-#include "geodesic/approximate/method.h"
 #include "geodesic/approximate/prepared_method.h"
 #include "geodesic/approximate/saddle_vertex_graph.h"
 #include "geodesic/approximate/triangle_unfolding.h"
 #include "geodesic/checkpoint.h"
 #include "geodesic/mesh.h"
+#include "geodesic_types/algorithms.h"
 
 namespace geodesic {
 
@@ -23,17 +22,6 @@ struct MethodOptions {
   HeatOptions heat;
   SaddleGraphOptions svg;
   TriangleUnfoldingOptions gtu;
-};
-
-// A method with the parameters that change its distances; those of other
-// methods have their defaults, so that equal choices prepare the same.
-struct MethodChoice {
-  ApproximateMethod method = ApproximateMethod::kFmm;
-  double lambda = HeatOptions().lambda;
-  uint32_t neighbours = SaddleGraphOptions().neighbours;
-  uint32_t samples = TriangleUnfoldingOptions().samples;
-
-  friend auto operator<=>(const MethodChoice&, const MethodChoice&) = default;
 };
 
 // Errors: INVALID_ARGUMENT for a parameter of the method that is out of range,

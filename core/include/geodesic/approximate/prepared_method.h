@@ -10,10 +10,10 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "geodesic/approximate/method.h"
 #include "geodesic/checkpoint.h"
 #include "geodesic/query.h"
 #include "geodesic/valid_query.h"
+#include "geodesic_types/algorithms.h"
 
 namespace geodesic {
 

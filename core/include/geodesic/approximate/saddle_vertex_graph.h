@@ -38,7 +38,7 @@ struct SaddleGraphOptions {
   // K: how many vertices around each vertex are looked at; those among them
   // that are reached without passing another vertex become arcs. More are
   // slower to find and to ask, and nearer to exact. In [1, 10000]. DEFAULT: 50.
-  uint32_t neighbours = 50;
+  uint32_t neighbours = MethodChoice().neighbours;
   // How many threads share the building, in [1, kMostSolveThreads]; the calling
   // thread is one of them. The graph is the same to the bit. DEFAULT: 1.
   uint32_t threads = 1;

@@ -26,7 +26,7 @@ namespace geodesic {
 struct TriangleUnfoldingOptions {
   // m. Memory is 4 m^2 bytes and 24 a vertex, time m exact fields. In [1,
   // 20000]. DEFAULT: 200.
-  uint32_t samples = 200;
+  uint32_t samples = MethodChoice().samples;
   // How many threads share the fields, in [1, kMostSolveThreads]; the calling
   // thread is one of them. What is made is the same to the bit. DEFAULT: 1.
   uint32_t threads = 1;

@@ -11,7 +11,9 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/strings/str_cat.h"
@@ -40,14 +42,20 @@ HalfEdge Turned(HalfEdge h, int i) {
 
 class Walker {
  public:
-  Walker(const Mesh& mesh, double length, WorkMeter& meter)
-      : mesh_(mesh), rest_(length), meter_(meter) {}
+  Walker(const Mesh& mesh, double length, Checkpoint& checkpoint)
+      : mesh_(mesh), rest_(length), checkpoint_(checkpoint) {}
 
   absl::Status Go(const SurfacePoint& place, const Heading& start) {
+    const auto poll = [this] {
+      return checkpoint_.Poll(
+          {.solver_bytes = line_.points.capacity() * sizeof(SurfacePoint) +
+                           line_.positions.capacity() * sizeof(Point)});
+    };
+    WorkMeter meter(poll);
     Enter(start);
     absl::Status status = Add(Canonicalize(place, mesh_));
     while (status.ok() && !has_ended_) {
-      if (!meter_.Do()) return meter_.status();
+      if (!meter.Do(1 + std::exchange(faces_, 0))) return meter.status();
       status = Step();
     }
     return status;
@@ -188,7 +196,7 @@ class Walker {
     double all = 0;
     HalfEdge at = h;
     do {
-      if (!meter_.Do()) return meter_.status();
+      ++faces_;
       all += AngleAt(mesh_, at);
       at = mesh_.Twin(Prev(at));
     } while (at != h && at != kNoHalfEdge);
@@ -240,7 +248,8 @@ class Walker {
 
   const Mesh& mesh_;
   double rest_;  // in the scaled unit, like all lengths here
-  WorkMeter& meter_;
+  Checkpoint& checkpoint_;
+  uint64_t faces_ = 0;  // looked at since the last poll
   double length_ = 0;
   double since_vertex_ = 0;
   bool has_ended_ = false;
@@ -252,12 +261,88 @@ class Walker {
   TracedLine line_;
 };
 
+// Where a list has what belongs to line `line`.
+template <typename Item>
+size_t PlaceOf(uint64_t line, const std::vector<Item>& list) {
+  return list.size() == 1 ? 0 : line;
+}
+
+// What a question calls its directions of this kind.
+const char* NameOf(const LineDirection& direction) {
+  constexpr const char* kNames[] = {"angles", "vectors", "towards"};
+  return kNames[direction.index()];
+}
+
+// An error of a LineTracer, with the path of the item that is at fault.
+absl::Status OfItem(const absl::Status& status, const LineQuestion& question,
+                    uint64_t line) {
+  const std::string path = FieldPathOf(status).value_or("");
+  const std::string begin = path.substr(0, path.find('.'));
+  std::string item;
+  if (begin == "source") {
+    item = absl::StrCat("sources[", PlaceOf(line, question.sources), "]");
+  } else if (begin == "direction") {
+    const size_t place = PlaceOf(line, question.directions);
+    item = absl::StrCat(NameOf(question.directions[place]), "[", place, "]");
+  } else if (begin == "length") {
+    item = absl::StrCat("lengths[", PlaceOf(line, question.lengths), "]");
+  } else {
+    return status;
+  }
+  const std::string message(status.message());
+  const std::string rest = path.substr(begin.size());
+  return InvalidField(item + rest, message.starts_with(begin)
+                                       ? item + message.substr(begin.size())
+                                       : absl::StrCat(item, ": ", message));
+}
+
 }  // namespace
 
 std::string_view TraceEndName(TraceEnd end) {
   constexpr std::array<std::string_view, 3> kNames = {"length", "boundary",
                                                       "singular"};
   return kNames.at(static_cast<size_t>(end));
+}
+
+absl::StatusOr<uint64_t> CountLines(const LineQuestion& question) {
+  const std::pair<const char*, size_t> lists[] = {
+      {"sources", question.sources.size()},
+      {question.directions.empty() ? "angles" : NameOf(question.directions[0]),
+       question.directions.size()},
+      {"lengths", question.lengths.size()}};
+  size_t lines = 1;
+  for (const auto& [name, size] : lists) lines = std::max(lines, size);
+  for (const auto& [name, size] : lists) {
+    if (size == 1 || size == lines) continue;
+    return InvalidField(name,
+                        absl::StrCat(name, " are ", size, " for ", lines,
+                                     " lines: name one, or one for each line"));
+  }
+  return lines;
+}
+
+absl::Status TraceLines(const Mesh& mesh, const LineQuestion& question,
+                        uint64_t begin, uint64_t end, Checkpoint& checkpoint,
+                        absl::FunctionRef<absl::Status(TracedLine line)> take) {
+  std::optional<LineTracer> tracer;
+  for (uint64_t line = begin; line < end; ++line) {
+    const size_t source = PlaceOf(line, question.sources);
+    absl::Status status;
+    if (line == begin || source > 0) {
+      absl::StatusOr<LineTracer> made =
+          LineTracer::From(mesh, question.sources[source]);
+      status = made.status();
+      if (made.ok()) tracer = *std::move(made);
+    }
+    if (!status.ok()) return OfItem(status, question, line);
+    absl::StatusOr<TracedLine> traced = tracer->Trace(
+        question.directions[PlaceOf(line, question.directions)],
+        question.lengths[PlaceOf(line, question.lengths)], checkpoint);
+    if (!traced.ok()) return OfItem(traced.status(), question, line);
+    status = take(*std::move(traced));
+    if (!status.ok()) return status;
+  }
+  return absl::OkStatus();
 }
 
 absl::StatusOr<LineTracer> LineTracer::From(const Mesh& mesh,
@@ -280,6 +365,20 @@ LineTracer::LineTracer(LineTracer&&) noexcept = default;
 LineTracer& LineTracer::operator=(LineTracer&&) noexcept = default;
 LineTracer::~LineTracer() = default;
 
+absl::StatusOr<Heading> LineTracer::HeadingOf(
+    const LineDirection& direction) const {
+  if (const auto* angle = std::get_if<double>(&direction)) {
+    return compass_->At(*angle);
+  }
+  if (const auto* vector = std::get_if<Point>(&direction)) {
+    return compass_->Along(*vector);
+  }
+  const Point from = PositionOf(place_, *mesh_);
+  Point way = PositionOf(std::get<SurfacePoint>(direction), *mesh_);
+  for (int i = 0; i < 3; ++i) way[i] -= from[i];
+  return compass_->Along(way);
+}
+
 absl::StatusOr<TracedLine> LineTracer::Trace(const LineDirection& direction,
                                              double length,
                                              Checkpoint& checkpoint) const {
@@ -287,10 +386,12 @@ absl::StatusOr<TracedLine> LineTracer::Trace(const LineDirection& direction,
     return InvalidField(
         "length", absl::StrCat("length is ", length, "; it must be >= 0"));
   }
-  const auto* angle = std::get_if<double>(&direction);
-  const absl::StatusOr<Heading> heading =
-      angle != nullptr ? compass_->At(*angle)
-                       : compass_->Along(std::get<Point>(direction));
+  const auto* place = std::get_if<SurfacePoint>(&direction);
+  if (place != nullptr) {
+    absl::Status valid = Validate(*place, *mesh_, "direction");
+    if (!valid.ok()) return valid;
+  }
+  const absl::StatusOr<Heading> heading = HeadingOf(direction);
   if (!heading.ok()) {
     return InvalidField(
         "direction",
@@ -298,9 +399,8 @@ absl::StatusOr<TracedLine> LineTracer::Trace(const LineDirection& direction,
   }
   absl::Status status = checkpoint.Poll({});
   if (!status.ok()) return status;
-  const auto poll = [&] { return checkpoint.Poll({}); };
-  WorkMeter meter(poll);
-  Walker walker(*mesh_, std::ldexp(length, -mesh_->scale_exponent()), meter);
+  Walker walker(*mesh_, std::ldexp(length, -mesh_->scale_exponent()),
+                checkpoint);
   status = walker.Go(place_, *heading);
   if (!status.ok()) return status;
   const double walked = std::ldexp(walker.length(), mesh_->scale_exponent());

@@ -1,0 +1,106 @@
+// What is put together from the messages of a mesh, and what is refused.
+
+#include "client/src/mesh_assembler.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "absl/status/status.h"
+
+namespace geodesic::client {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+// Elements as they travel.
+template <typename Element>
+std::string Bytes(const std::vector<Element>& elements) {
+  return {reinterpret_cast<const char*>(elements.data()),
+          elements.size() * sizeof(Element)};
+}
+
+void ExpectDataLoss(const absl::Status& status, const std::string& words) {
+  EXPECT_EQ(status.code(), absl::StatusCode::kDataLoss) << status;
+  EXPECT_THAT(std::string(status.message()), HasSubstr(words));
+}
+
+v1::ReadMeshResponse Header(uint64_t vertices, uint64_t faces) {
+  v1::ReadMeshResponse message;
+  message.mutable_header()->set_vertex_count(vertices);
+  message.mutable_header()->set_face_count(faces);
+  return message;
+}
+
+v1::ReadMeshResponse Vertices(uint64_t first,
+                              const std::vector<Point>& points) {
+  v1::ReadMeshResponse message;
+  message.mutable_vertices()->set_first_vertex(first);
+  message.mutable_vertices()->set_positions(Bytes(points));
+  return message;
+}
+
+v1::ReadMeshResponse Faces(uint64_t first,
+                           const std::vector<Triangle>& triangles) {
+  v1::ReadMeshResponse message;
+  message.mutable_faces()->set_first_face(first);
+  message.mutable_faces()->set_indices(Bytes(triangles));
+  return message;
+}
+
+// The first status that is not OK, Finish's included.
+absl::Status Assemble(const std::vector<v1::ReadMeshResponse>& messages,
+                      MeshArrays* mesh = nullptr) {
+  MeshAssembler assembler;
+  for (const v1::ReadMeshResponse& message : messages) {
+    absl::Status status = assembler.Consume(message);
+    if (!status.ok()) return status;
+  }
+  absl::StatusOr<MeshArrays> finished = std::move(assembler).Finish();
+  if (finished.ok() && mesh != nullptr) *mesh = *std::move(finished);
+  return finished.status();
+}
+
+const Point kA = {0, 0, 0};
+const Point kB = {1, 0, 0.1};
+const Point kC = {0, 1, 1e300};
+
+TEST(MeshAssemblerTest, PutsChunksTogether) {
+  MeshArrays mesh;
+  ASSERT_TRUE(Assemble({Header(3, 2), Vertices(0, {kA, kB}), Vertices(2, {kC}),
+                        Faces(0, {{0, 1, 2}}), Faces(1, {{2, 1, 0}})},
+                       &mesh)
+                  .ok());
+  EXPECT_THAT(mesh.positions, ElementsAre(kA, kB, kC));
+  EXPECT_THAT(mesh.triangles,
+              ElementsAre(Triangle{0, 1, 2}, Triangle{2, 1, 0}));
+}
+
+TEST(MeshAssemblerTest, RefusesWhatIsNotDue) {
+  v1::ReadMeshResponse part;
+  part.mutable_vertices()->set_positions("0123456789");
+  // Counts that are no reason to take memory.
+  constexpr uint64_t kHuge = std::numeric_limits<uint64_t>::max();
+  const std::vector<std::pair<std::vector<v1::ReadMeshResponse>, std::string>>
+      table = {
+          {{Vertices(0, {kA})}, "without its header"},
+          {{Header(1, 0), Header(1, 0)}, "twice"},
+          {{Header(3, 0), Vertices(1, {kB})}, "from number 1"},
+          {{Header(1, 0), Vertices(0, {kA, kB})}, "of 1"},
+          {{Header(3, 0), part}, "10 bytes of vertices"},
+          {{Header(2, 1), Vertices(0, {kA})}, "1 of 2"},
+          {{Header(3, 1), Vertices(0, {kA, kB, kC}), Faces(0, {{0, 1, 3}})},
+           "face 0 with vertex 3 of 3"},
+          {{Header(kHuge, kHuge), Vertices(0, {kA})}, "1 of"}};
+  for (const auto& [messages, words] : table) {
+    ExpectDataLoss(Assemble(messages), words);
+  }
+}
+
+}  // namespace
+}  // namespace geodesic::client
