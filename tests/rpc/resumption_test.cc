@@ -197,7 +197,8 @@ TEST_F(ResumptionTest, WhatWasCutStaysCut) {
 
 TEST_F(ResumptionTest, NothingIsComputedForAnotherQuestion) {
   v1::ComputeFieldRequest request = Field();
-  request.mutable_resumption()->set_answer_id(Answered(request).answer_id());
+  const std::string answer_id = Answered(request).answer_id();
+  request.mutable_resumption()->set_answer_id(answer_id);
   const uint64_t solves = server_->engine().counters().solves_started;
   v1::ComputeFieldRequest other = request;
   other.set_value_type(v1::VALUE_TYPE_FLOAT32);
@@ -210,7 +211,8 @@ TEST_F(ResumptionTest, NothingIsComputedForAnotherQuestion) {
 
 TEST_F(ResumptionTest, AProgressiveFieldHasNone) {
   v1::ComputeFieldRequest request = Field();
-  request.mutable_resumption()->set_answer_id(Answered(request).answer_id());
+  const std::string answer_id = Answered(request).answer_id();
+  request.mutable_resumption()->set_answer_id(answer_id);
   request.clear_quantities();
   request.set_progressive(true);
   EXPECT_EQ(Fault(request), "resumption");

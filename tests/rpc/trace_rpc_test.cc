@@ -66,7 +66,7 @@ TEST_F(TraceRpcTest, AllFormsOfDirectionsAreTheSame) {
 
 // More lines than a job takes.
 TEST_F(TraceRpcTest, ManyLinesComeInOrder) {
-  constexpr int kLines = 1000;
+  constexpr int kLines = 100;
   v1::TraceLinesRequest request = Request();
   for (int i = 0; i < kLines; ++i) {
     request.add_angles(2 * std::numbers::pi * i / kLines);
