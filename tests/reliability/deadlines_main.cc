@@ -387,9 +387,9 @@ class Deadlines {
         1e3 * Seconds(stopped - std::max(asked, std::min(due, end))).count();
     const std::string what =
         absl::StrCat(question.name, in_time ? ", 500 ms" : "", ", and SIGTERM");
-    if (in_time || !absl::IsUnavailable(status)) {
-      Count(mesh.name, what, status);
-    }
+    // Also those in time may be refused: who waits for a mesh to be prepared
+    // needs another job then.
+    if (!absl::IsUnavailable(status)) Count(mesh.name, what, status);
     // 3: requests were cancelled (docs/operations.md).
     if (code != 0 && (in_time || code != 3)) {
       faults_.push_back(absl::StrCat(mesh.name, ", ", what,
