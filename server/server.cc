@@ -129,7 +129,7 @@ Server::Server(const ServerOptions& options,
       quotas_(clock_),
       log_(logger_, options.max_requests, access_, web_access_, quotas_,
            metrics_),
-      pool_(options.limits.max_concurrent_jobs),
+      pool_(Scheduler::ThreadsFor(options.limits.max_concurrent_jobs)),
       engine_(options.limits, clock_, pool_, std::move(start)),
       intake_(
           {.slots = options.receive_memory_bytes / options.max_message_bytes,

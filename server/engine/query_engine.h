@@ -2,7 +2,7 @@
 // them.
 //
 //   SteadyClock clock;
-//   ThreadPool pool(limits.max_concurrent_jobs);
+//   ThreadPool pool(Scheduler::ThreadsFor(limits.max_concurrent_jobs));
 //   QueryEngine engine(limits, clock, pool);
 //   auto call = engine.fields().Compute(request, observer);
 //   ...                             // observer->OnField brings the field

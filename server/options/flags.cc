@@ -71,9 +71,11 @@ void AddReplicas(CLI::App& app, ServerOptions& options) {
 
 void AddResources(CLI::App& app, ServerOptions& options) {
   app.option_defaults()->group("Resources");
-  AddCount(app, "--threads", options.limits.max_concurrent_jobs, 4096,
-           "Jobs (solves and mesh builds) that run at once, one thread each; "
-           "default: as many as there are processors")
+  AddCount(
+      app, "--threads", options.limits.max_concurrent_jobs, 4096,
+      "Jobs (solves and mesh builds) that run at once, one thread each, beside "
+      "those that have run long when another client asks; default: as many as "
+      "there are processors")
       .default_str("");
   AddBytes(app, "--memory", options.memory_bytes,
            "Memory for meshes, fields, solvers and requests, all together; "

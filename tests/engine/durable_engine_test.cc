@@ -178,6 +178,7 @@ TEST_F(DurableEngineTest, DamageIsSetAsideAndHealedByAnUpload) {
   const absl::Status status = Await(digest).status();
   EXPECT_TRUE(absl::IsNotFound(status)) << status;
   EXPECT_THAT(std::string(status.message()), HasSubstr("upload it again"));
+  EXPECT_EQ(MeshAtFault(status), digest);
   ASSERT_THAT(warnings_, SizeIs(1));
   EXPECT_THAT(warnings_[0], HasSubstr(digest));
   EXPECT_THAT(engine_->meshes().FindMissing({digest}, {})->mesh_digests,

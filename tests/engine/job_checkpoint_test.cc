@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "server/engine/jobs/processor_share.h"
 #include "tests/engine/fakes.h"
 
 namespace geodesic::server {
@@ -26,7 +27,8 @@ class RecordingWaiters final : public JobWaiters {
 class JobCheckpointTest : public ::testing::Test {
  protected:
   JobCheckpoint MakeCheckpoint() {
-    JobCheckpoint checkpoint(waiters_, clock_, {}, milliseconds(50));
+    JobCheckpoint checkpoint(waiters_, clock_, scheduler_, {},
+                             milliseconds(50));
     checkpoint.Hold(*ByteReservation::Make(memory_, 0));
     return checkpoint;
   }
@@ -35,7 +37,34 @@ class JobCheckpointTest : public ::testing::Test {
   std::shared_ptr<ByteBudget> memory_ =
       std::make_shared<ByteBudget>("solver memory", 100 * kMiB);
   RecordingWaiters waiters_;
+  test::ManualExecutor executor_;
+  Scheduler scheduler_{executor_, /*max_running=*/1, /*max_queued=*/1};
 };
+
+TEST_F(JobCheckpointTest, AJobThatHasRunLongLetsAnotherStart) {
+  bool has_ended = false;
+  const auto run = [&](std::stop_token) {
+    JobCheckpoint checkpoint = MakeCheckpoint();
+    ASSERT_TRUE(scheduler_
+                    .Submit({.client = "b",
+                             .run = [&](std::stop_token) { has_ended = true; }})
+                    .ok());
+    for (const Duration ran :
+         {Duration(0), Duration(kYoung - milliseconds(1))}) {
+      clock_.Advance(ran);
+      ASSERT_TRUE(checkpoint.Poll({}).ok());
+      EXPECT_FALSE(executor_.RunOne());
+    }
+    clock_.Advance(milliseconds(1));
+    ASSERT_TRUE(checkpoint.Poll({}).ok());
+    EXPECT_TRUE(executor_.RunOne());
+    EXPECT_TRUE(has_ended);
+    ASSERT_TRUE(checkpoint.Poll({}).ok());
+  };
+  ASSERT_TRUE(scheduler_.Submit({.client = "a", .run = run}).ok());
+  executor_.RunAll();
+  EXPECT_TRUE(has_ended);
+}
 
 TEST_F(JobCheckpointTest, PublishesAtABoundedRate) {
   JobCheckpoint checkpoint = MakeCheckpoint();

@@ -54,6 +54,24 @@ TEST_F(JobQueueTest, ClientsTakeTurns) {
   EXPECT_EQ(StartAll(), (Numbers{0, 4, 5, 1, 6, 2, 3}));
 }
 
+TEST_F(JobQueueTest, WhoseJobsRunWaitsForThem) {
+  const uint64_t first = Push(JobPriority::kSolve, "many");
+  EXPECT_EQ(queue_.NextWithin(1), first);
+  const uint64_t second = Push(JobPriority::kSolve, "many");
+  queue_.StartOutOfTurn(first);
+  EXPECT_EQ(queue_.NextWithin(1), std::nullopt);
+  EXPECT_EQ(queue_.NextWithin(2), second);
+  const uint64_t row = Push(JobPriority::kRow, "few");
+  EXPECT_EQ(queue_.NextWithin(1), row);
+  EXPECT_EQ(queue_.NextWithin(2), second);
+  const uint64_t solve = Push(JobPriority::kSolve, "few");
+  EXPECT_EQ(queue_.NextWithin(1), solve) << "the more urgent first";
+  queue_.StartOutOfTurn(solve);
+  EXPECT_EQ(queue_.NextWithin(1), std::nullopt) << "one of each runs";
+  queue_.Done("few", {});
+  EXPECT_EQ(queue_.NextWithin(1), row);
+}
+
 // A long row of one client is not worth a short one of another.
 TEST_F(JobQueueTest, WhoHasUsedLessGoesFirst) {
   using std::chrono::milliseconds;

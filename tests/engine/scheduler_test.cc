@@ -90,6 +90,43 @@ TEST(SchedulerIdleTest, ThreadsThatNoJobHasOrWaitsForAreIdle) {
   EXPECT_THAT(threads, ElementsAre(1, 1, 1, 2, 2));
 }
 
+// Beside a job that has run long another client's may start, but no more than
+// that.
+TEST(SchedulerLongTest, NobodyWaitsForOthersLongJobs) {
+  test::ManualExecutor executor;
+  Scheduler scheduler(executor, /*max_running=*/1, /*max_queued=*/9);
+  std::vector<std::string> ran;
+  const auto submit = [&](
+                          std::string client,
+                          std::function<void()> meanwhile = [] {}) {
+    ASSERT_TRUE(scheduler
+                    .Submit({.client = client,
+                             .run =
+                                 [&ran, client, meanwhile](std::stop_token) {
+                                   meanwhile();
+                                   ran.push_back(client);
+                                 }})
+                    .ok());
+  };
+  submit("long", [&] {
+    submit("long");
+    submit("short", [&] {
+      EXPECT_EQ(scheduler.running(), 2u);
+      EXPECT_EQ(scheduler.idle(), 0u);
+      submit("third");
+      EXPECT_FALSE(executor.RunOne()) << "a short job has the thread";
+      scheduler.LetOthersStart();
+      EXPECT_TRUE(executor.RunOne());
+    });
+    EXPECT_FALSE(executor.RunOne());
+    scheduler.LetOthersStart();
+    EXPECT_TRUE(executor.RunOne());
+    EXPECT_FALSE(executor.RunOne()) << "its client has one that runs";
+  });
+  executor.RunAll();
+  EXPECT_THAT(ran, ElementsAre("third", "short", "long", "long"));
+}
+
 TEST(SchedulerIdleTest, PreparationsRunBesideTheOthersOneAtATime) {
   test::ManualExecutor executor;
   Scheduler scheduler(executor, /*max_running=*/1, /*max_queued=*/0);

@@ -1,12 +1,18 @@
 #include "server/engine/jobs/thread_pool.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <latch>
 #include <mutex>
 #include <set>
 #include <thread>
+#include <vector>
+
+#include "server/engine/jobs/processor_share.h"
 
 namespace geodesic::server {
 namespace {
@@ -62,6 +68,37 @@ TEST(ThreadPool, NoKindTakesAnothersThreads) {
   }
   pool.Schedule([&] { all.arrive_and_wait(); }, ThreadKind::kCompute);
   all.wait();
+}
+
+int Nice() { return getpriority(PRIO_PROCESS, 0); }
+
+// A third of the share, five steps of nice, for each fourfold age.
+TEST(ThreadPool, LongWorkMakesWayAndLeavesTheNextAFullShare) {
+  using std::chrono::milliseconds;
+  const int full = Nice();
+  std::vector<int> nice;
+  {
+    ThreadPool pool(1);
+    for (int i = 0; i < 2; ++i) {
+      pool.Schedule(
+          [&nice] {
+            for (const int age : {0, 12, 13, 49, 50, 20}) {
+              ShareByAge(milliseconds(age));
+              nice.push_back(Nice());
+            }
+          },
+          ThreadKind::kCompute);
+    }
+    std::latch last(1);
+    pool.Schedule([&] { last.count_down(); }, ThreadKind::kCompute);
+    last.wait();
+  }
+  std::vector<int> expected;
+  for (int i = 0; i < 2; ++i) {
+    for (const int more : {0, 0, 5, 5, 10, 10})
+      expected.push_back(std::min(full + more, 19));
+  }
+  EXPECT_EQ(nice, expected);
 }
 
 }  // namespace

@@ -43,6 +43,7 @@ struct Options {
   double beside_seconds = 300;
   double rate = 40;
   int disk_ms = 300;
+  bool is_always_slow = false;
   int send_seconds = 120;
   std::string mix = "cached=10,cold=4,path=2,matrix=2,upload=2";
   uint64_t seed = 1;
@@ -109,10 +110,11 @@ class Neighbours {
     LoadFigures alone;
     LoadFigures beside;
     for (double left = options_.seconds; left > 0;) {
+      if (options_.is_always_slow) SlowDisk();
       alone.Add(Phase(options_.phase_seconds, left));
       if (left <= 0) break;
       disturbers_.Start();
-      WriteFile(folder_ / "slow", std::to_string(options_.disk_ms));
+      SlowDisk();
       beside.Add(Phase(options_.beside_seconds, left));
       std::filesystem::remove(folder_ / "slow");
       disturbers_.Stop();
@@ -134,6 +136,10 @@ class Neighbours {
   const std::vector<std::string>& faults() const { return faults_; }
 
  private:
+  void SlowDisk() const {
+    WriteFile(folder_ / "slow", std::to_string(options_.disk_ms));
+  }
+
   // For so long, but no longer than what is left of all, and takes it off.
   LoadFigures Phase(double seconds, double& left) {
     seconds = std::min(seconds, left);
@@ -199,6 +205,9 @@ int main(int argc, char** argv) {
   app.add_option("--disk-ms", options.disk_ms,
                  "That a flush or a read takes beside the others")
       ->check(CLI::PositiveNumber);
+  app.add_flag("--always-slow", options.is_always_slow,
+               "The disk is as slow for the load alone: what waits for it, as "
+               "uploads do, is compared with itself");
   app.add_option("--send-seconds", options.send_seconds,
                  "The server's limit, which ends stalled readers")
       ->check(CLI::PositiveNumber);

@@ -1,5 +1,6 @@
 // What a running solver checks at each poll: who still waits for it, whether it
-// was asked to stop, and the memory budget that all solvers share.
+// was asked to stop, the memory budget that all solvers share, and its share of
+// the processor.
 
 #ifndef GEODESIC_SERVER_ENGINE_JOBS_JOB_CHECKPOINT_H_
 #define GEODESIC_SERVER_ENGINE_JOBS_JOB_CHECKPOINT_H_
@@ -11,6 +12,7 @@
 #include "geodesic/checkpoint.h"
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/base/clock.h"
+#include "server/engine/jobs/scheduler.h"
 
 namespace geodesic::server {
 
@@ -26,12 +28,12 @@ class JobWaiters {
   virtual void Publish(const Progress& progress) = 0;
 };
 
-// Belongs to one job and its thread.
+// Belongs to one job and its thread, and begins with it.
 class JobCheckpoint final : public Checkpoint {
  public:
-  // The references outlive the checkpoint.
-  JobCheckpoint(JobWaiters& waiters, const Clock& clock, std::stop_token stop,
-                Duration progress_interval);
+  // `scheduler` runs the job. The references outlive the checkpoint.
+  JobCheckpoint(JobWaiters& waiters, const Clock& clock, Scheduler& scheduler,
+                std::stop_token stop, Duration progress_interval);
 
   // Takes over the solver's reservation. Without one it may take no memory.
   void Hold(ByteReservation memory) { memory_ = std::move(memory); }
@@ -48,11 +50,17 @@ class JobCheckpoint final : public Checkpoint {
   uint64_t windows_propagated() const { return windows_propagated_; }
 
  private:
+  // Lets others go first, the more the longer the job has run.
+  void MakeWay(Duration ran);
+
   JobWaiters& waiters_;
   const Clock& clock_;
+  Scheduler& scheduler_;
   const std::stop_token stop_;
   const Duration progress_interval_;
+  const TimePoint began_;
   ByteReservation memory_;
+  bool is_long_ = false;
   TimePoint next_progress_;
   uint64_t windows_propagated_ = 0;
 };

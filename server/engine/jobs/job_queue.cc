@@ -25,7 +25,9 @@ void JobQueue::Push(uint64_t number, WaitingJob waiting) {
 }
 
 void JobQueue::Done(const std::string& client, Duration ran) {
-  accounts_.at(client).used += ran;
+  Account& account = accounts_.at(client);
+  account.used += ran;
+  --account.running;
   Close(client);
 }
 
@@ -36,9 +38,8 @@ void JobQueue::Close(const std::string& client) {
 
 std::list<JobQueue::Line>::const_iterator JobQueue::First(
     const Lane& lane) const {
-  return std::ranges::min_element(lane.turns, {}, [this](const Line& line) {
-    return accounts_.at(line.client).used;
-  });
+  return std::ranges::min_element(
+      lane.turns, {}, [this](const Line& line) { return Used(line); });
 }
 
 size_t JobQueue::MostUrgent() const {
@@ -62,6 +63,23 @@ size_t JobQueue::NextLane() const {
 
 uint64_t JobQueue::Next() const {
   return *First(lanes_[NextLane()])->numbers.begin();
+}
+
+std::optional<uint64_t> JobQueue::NextWithin(size_t most) const {
+  if (empty()) return std::nullopt;
+  const auto may_start = [&](const std::string& client) {
+    return accounts_.at(client).running < most;
+  };
+  if (may_start(jobs_.at(Next()).job.client)) return Next();
+  for (const Lane& lane : lanes_) {
+    const Line* first = nullptr;
+    for (const Line& line : lane.turns) {
+      if (!may_start(line.client)) continue;
+      if (first == nullptr || Used(line) < Used(*first)) first = &line;
+    }
+    if (first != nullptr) return *first->numbers.begin();
+  }
+  return std::nullopt;
 }
 
 std::optional<uint64_t> JobQueue::Oldest(
@@ -96,12 +114,18 @@ WaitingJob JobQueue::Start() {
 
 std::optional<WaitingJob> JobQueue::Remove(uint64_t number) {
   if (!jobs_.contains(number)) return std::nullopt;
-  WaitingJob waiting = StartOutOfTurn(number);
+  WaitingJob waiting = Take(number);
   Close(waiting.job.client);
   return waiting;
 }
 
 WaitingJob JobQueue::StartOutOfTurn(uint64_t number) {
+  WaitingJob started = Take(number);
+  ++accounts_.at(started.job.client).running;
+  return started;
+}
+
+WaitingJob JobQueue::Take(uint64_t number) {
   const auto it = jobs_.find(number);
   WaitingJob waiting = std::move(it->second);
   jobs_.erase(it);

@@ -111,6 +111,11 @@ class JobQueue {
   // The oldest job that `can_start`. O(n).
   std::optional<uint64_t> Oldest(absl::FunctionRef<bool(Job&)> can_start);
 
+  // The job whose turn it is if fewer than `most` of its client's run; else the
+  // most urgent of such a client, who has used least; empty if there is none.
+  // O(clients).
+  std::optional<uint64_t> NextWithin(size_t most) const;
+
   // Takes out the next job and ends its client's turn; or that job, out of
   // turn. REQUIRES: !empty(); the job is in the queue. When it has ended, or
   // will not run, call Done.
@@ -165,6 +170,10 @@ class JobQueue {
   size_t NextLane() const;
   // The line in front. REQUIRES: there is one. O(clients).
   std::list<Line>::const_iterator First(const Lane& lane) const;
+  Duration Used(const Line& line) const {
+    return accounts_.at(line.client).used;
+  }
+  WaitingJob Take(uint64_t number);
   void Close(const std::string& client);
   void Enter(uint64_t number, const Job& job);
   void Leave(uint64_t number, const Job& job);
@@ -174,7 +183,8 @@ class JobQueue {
   std::map<std::string, size_t> clients_;  // places of each that has any
   struct Account {
     Duration used{0};
-    size_t jobs = 0;  // that wait or run
+    size_t jobs = 0;     // that wait or run
+    size_t running = 0;  // of them
   };
   std::map<std::string, Account> accounts_;  // of clients that have any
   std::array<Lane, kJobPriorities> lanes_;

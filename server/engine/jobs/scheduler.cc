@@ -81,7 +81,7 @@ absl::Status Scheduler::CheckRoom(const std::string& client,
                                   bool runs_at_once) const {
   if (draining_) return ShuttingDown();
   // A job for which a thread is free does not wait.
-  const size_t free_threads = FreeThreads();
+  const size_t free_threads = FreeThreads(LineOf(ThreadKind::kCompute));
   size_t all_places = 0, places = 0;
   for (const ThreadKind kind : {ThreadKind::kCompute, ThreadKind::kDisk}) {
     const JobQueue& queue = LineOf(kind).queue;
@@ -116,22 +116,46 @@ absl::Status Scheduler::CheckRoom(const std::string& client,
       client);
 }
 
+size_t Scheduler::FreeThreads(const Line& line) const {
+  size_t most = 1;
+  if (&line == &LineOf(ThreadKind::kDisk)) most = kDiskThreads;
+  if (&line == &LineOf(ThreadKind::kCompute)) {
+    most = std::min(max_running_ + line.long_running, ThreadsFor(max_running_));
+  }
+  return most - line.running;
+}
+
+std::optional<uint64_t> Scheduler::Next(const Line& line) const {
+  if (FreeThreads(line) == 0) return std::nullopt;
+  return line.queue.NextWithin(
+      &line == &LineOf(ThreadKind::kCompute) ? max_running_ : kDiskThreads);
+}
+
 void Scheduler::AskForThreads() {
-  // A thread for each job that runs, and one for each that might.
-  const auto wants_more = [](const Line& line, size_t most) {
-    return line.workers < most &&
-           line.workers < line.running + line.queue.size();
-  };
-  for (const auto& [kind, most] :
-       {std::pair{ThreadKind::kCompute, max_running_},
-        std::pair{ThreadKind::kDisk, kDiskThreads},
-        std::pair{ThreadKind::kBeside, size_t{1}}}) {
-    Line& line = LineOf(kind);
-    while (wants_more(line, most)) {
+  for (size_t kind = 0; kind < lines_.size(); ++kind) {
+    Line& line = lines_[kind];
+    if (!Next(line).has_value()) continue;
+    // A thread for each job that runs, and one for each that might.
+    const size_t wanted =
+        line.running + std::min(FreeThreads(line), line.queue.size());
+    while (line.workers < wanted) {
       ++line.workers;
-      executor_.Schedule([this, &line] { RunOne(line); }, kind);
+      executor_.Schedule([this, &line] { RunOne(line); },
+                         static_cast<ThreadKind>(kind));
     }
   }
+}
+
+void Scheduler::LetOthersStart() {
+  std::lock_guard lock(mutex_);
+  const auto job = std::ranges::find_if(running_, [](const auto& running) {
+    return running.second.thread == std::this_thread::get_id() &&
+           !running.second.is_long;
+  });
+  if (job == running_.end()) return;
+  job->second.is_long = true;
+  ++job->second.line->long_running;
+  AskForThreads();
 }
 
 void Scheduler::Cancel(JobId id) {
@@ -147,7 +171,7 @@ void Scheduler::Cancel(JobId id) {
       // The other jobs may have waited behind this one.
       AskForThreads();
     } else if (const auto run = running_.find(id); run != running_.end()) {
-      source = run->second;
+      source = run->second.source;
     }
   }
   source.request_stop();
@@ -171,7 +195,7 @@ bool Scheduler::is_draining() const {
 
 void Scheduler::StopAll() {
   std::vector<WaitingJob> abandoned;
-  std::map<JobId, std::stop_source> stopped;
+  std::vector<std::stop_source> stopped;
   {
     std::lock_guard lock(mutex_);
     draining_ = true;
@@ -179,9 +203,9 @@ void Scheduler::StopAll() {
     for (Line& line : lines_) {
       std::ranges::move(line.queue.Clear(), std::back_inserter(abandoned));
     }
-    stopped = running_;
+    for (const auto& [id, job] : running_) stopped.push_back(job.source);
   }
-  for (auto& [id, source] : stopped) source.request_stop();
+  for (std::stop_source& source : stopped) source.request_stop();
   for (WaitingJob& waiting : abandoned) waiting.job.abandon(ShuttingDown());
 }
 
@@ -213,9 +237,9 @@ size_t Scheduler::running() const {
 
 size_t Scheduler::idle() const {
   std::lock_guard lock(mutex_);
-  const size_t free = FreeThreads();
-  const size_t waiting = LineOf(ThreadKind::kCompute).queue.size();
-  return waiting < free ? free - waiting : 0;
+  const Line& line = LineOf(ThreadKind::kCompute);
+  const size_t taken = line.running + line.queue.size();
+  return taken < max_running_ ? max_running_ - taken : 0;
 }
 
 bool Scheduler::is_busy() const {
@@ -246,7 +270,7 @@ void Scheduler::RunOne(Line& line) {
           StartNext(lock, line, id, progressed)) {
     progressed = true;
     const std::stop_source source;
-    running_.emplace(id, source);
+    running_[id] = {source, std::this_thread::get_id(), &line};
     ++line.running;
     const std::string client = started->job.client;
     lock.unlock();
@@ -265,6 +289,7 @@ void Scheduler::RunOne(Line& line) {
       started.reset();
       lock.lock();
     }
+    if (running_.at(id).is_long) --line.long_running;
     running_.erase(id);
     --line.running;
   }
@@ -302,12 +327,16 @@ std::optional<WaitingJob> Scheduler::StartNext(
     std::unique_lock<std::mutex>& lock, Line& line, JobId& id,
     bool& progressed) {
   JobQueue& queue = line.queue;
-  while (!queue.empty()) {
-    id = queue.Next();
+  while (const std::optional<uint64_t> number = Next(line)) {
+    id = *number;
+    const bool is_its_turn = id == queue.Next();
+    const auto start = [&] {
+      return is_its_turn ? queue.Start() : queue.StartOutOfTurn(id);
+    };
     WaitingJob& next = queue.waiting(id);
     const absl::Status room = Reserve(next.job);
     line.lacks_memory = RetryAfter(room).has_value();
-    if (room.ok()) return queue.Start();
+    if (room.ok()) return start();
     if (line.lacks_memory) {
       if (!running_.empty()) return std::nullopt;
       const auto can_start = [](Job& job) { return Reserve(job).ok(); };
@@ -320,7 +349,7 @@ std::optional<WaitingJob> Scheduler::StartNext(
         return queue.StartOutOfTurn(*other);
       }
     }
-    WaitingJob refused = queue.Start();
+    WaitingJob refused = start();
     queue.Done(refused.job.client, Duration{0});
     progressed = true;
     lock.unlock();

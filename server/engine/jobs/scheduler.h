@@ -17,6 +17,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <thread>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
@@ -45,6 +46,9 @@ struct JobTimes {
 // up to 256 of them. If there is none, no memory will come back, and the job is
 // abandoned.
 //
+// A job that has run long lets another start beside it, if that is of a client
+// of which fewer than max_running run: nobody waits for others' long jobs.
+//
 // Jobs that wait for the disk stand in a line of their own and have threads of
 // their own, so that a slow disk delays nobody else. So do jobs of kPrepare,
 // which run one at a time beside the others; they should rest while others run,
@@ -55,11 +59,17 @@ class Scheduler {
   // The place is given back with its last copy.
   using Place = std::shared_ptr<void>;
 
-  // Up to max_running jobs run and max_queued wait, max_queued_per_client of
-  // them for one client. A place that is held counts like a waiting job.
-  // REQUIRES: max_running > 0; `executor` outlives the scheduler.
+  // Up to max_running jobs run, beside those that have run long, and max_queued
+  // wait, max_queued_per_client of them for one client. A place that is held
+  // counts like a waiting job.
+  // REQUIRES: max_running > 0; `executor` outlives the scheduler and, so that
+  // no job waits for one, has ThreadsFor(max_running) threads for computing.
   Scheduler(Executor& executor, size_t max_running, size_t max_queued,
             size_t max_queued_per_client = std::numeric_limits<size_t>::max());
+
+  static constexpr size_t ThreadsFor(size_t max_running) {
+    return 4 * max_running;
+  }
 
   // Stops everything and waits for running jobs to return.
   // REQUIRES: the executor runs what it has been given.
@@ -94,6 +104,9 @@ class Scheduler {
   // Does nothing for a job that runs or is gone.
   void Expedite(JobId id, JobPriority priority);
 
+  // Says, from the thread of a running job, that it has run long.
+  void LetOthersStart();
+
   // From now on Submit fails, except for continuations; admitted jobs go on.
   void BeginDrain();
   bool is_draining() const;
@@ -121,7 +134,8 @@ class Scheduler {
   struct Line {
     JobQueue queue;
     size_t running = 0;
-    size_t workers = 0;  // tasks on the executor
+    size_t long_running = 0;  // of them
+    size_t workers = 0;       // tasks on the executor
     // As of the last attempt to start one.
     bool lacks_memory = false;
   };
@@ -139,9 +153,10 @@ class Scheduler {
   }
   Line& LineOf(const Job& job);
   bool IsIdle() const;  // no thread has a job, or was asked to take one
-  size_t FreeThreads() const {
-    return max_running_ - LineOf(ThreadKind::kCompute).running;
-  }
+  // How many jobs of the line may start now.
+  size_t FreeThreads(const Line& line) const;
+  // The one that may start first, if there is one.
+  std::optional<uint64_t> Next(const Line& line) const;
   // `runs_at_once`: the job needs no place if a thread is free for it.
   absl::Status CheckRoom(const std::string& client, bool runs_at_once) const;
   // Takes the memory of a job. Errors: as Job::reserve.
@@ -165,7 +180,13 @@ class Scheduler {
   std::condition_variable idle_;
   // Guarded by mutex_:
   std::array<Line, kThreadKinds> lines_;
-  std::map<JobId, std::stop_source> running_;
+  struct RunningJob {
+    std::stop_source source;
+    std::thread::id thread;
+    Line* line = nullptr;
+    bool is_long = false;
+  };
+  std::map<JobId, RunningJob> running_;
   uint64_t next_number_ = 0;
   bool draining_ = false;
   bool stopped_ = false;

@@ -240,7 +240,7 @@ class SharedJobs {
 
   absl::StatusOr<std::optional<Result>> Run(Entry& entry, Work& work,
                                             std::stop_token stop) {
-    JobCheckpoint checkpoint(entry, clock_, std::move(stop),
+    JobCheckpoint checkpoint(entry, clock_, scheduler_, std::move(stop),
                              progress_interval_);
     absl::Status status = Expire(entry, clock_.Now());
     if (!status.ok()) return status;

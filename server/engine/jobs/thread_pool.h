@@ -1,4 +1,5 @@
-// The engine uses threads only through Executor; ThreadPool has a fixed number.
+// The engine uses threads only through Executor; ThreadPool has as many at any
+// time.
 
 #ifndef GEODESIC_SERVER_ENGINE_JOBS_THREAD_POOL_H_
 #define GEODESIC_SERVER_ENGINE_JOBS_THREAD_POOL_H_
@@ -10,7 +11,6 @@
 #include <mutex>
 #include <thread>
 #include <utility>
-#include <vector>
 
 #include "absl/functional/any_invocable.h"
 
@@ -38,7 +38,8 @@ class Executor {
 };
 
 // Starts tasks in order. The queue is unbounded; Scheduler bounds what it puts
-// there. Thread-safe.
+// there. A thread whose task left it a small share of the processor
+// (processor_share.h) is replaced. Thread-safe.
 class ThreadPool final : public Executor {
  public:
   // So many threads are for kCompute, kDiskThreads for kDisk, one for kBeside.
@@ -57,13 +58,25 @@ class ThreadPool final : public Executor {
     std::deque<Task> tasks;
   };
 
-  void Work(Line& line);
+  struct Worker {
+    Line& line;
+    bool is_spent = false;  // guarded by mutex_ of the pool
+    std::jthread thread;
+  };
+
+  void Work(Worker& worker);
+  void Start(Worker& worker);
+  // Replaces workers that are spent. On a thread of its own, since a new thread
+  // has the share of the one that starts it.
+  void Replace();
 
   std::mutex mutex_;
   std::array<Line, kThreadKinds> lines_;
   bool stopping_ = false;  // guarded by mutex_
+  std::condition_variable is_spent_;
 
-  std::vector<std::jthread> threads_;
+  std::deque<Worker> workers_;
+  std::jthread replacer_;
 };
 
 }  // namespace geodesic::server

@@ -193,9 +193,11 @@ absl::StatusOr<TriangleSoup> MeshFiles::Load(const MeshDescription& mesh,
   const absl::Status status = blobs_->Read(mesh.digest, take);
   if (status.ok()) return soup;
   if (absl::IsDataLoss(status)) {
-    return absl::NotFoundError(absl::StrCat(
-        "mesh ", mesh.digest,
-        " was damaged on the server's disk and set aside; upload it again"));
+    return WithMesh(
+        absl::NotFoundError(absl::StrCat("mesh ", mesh.digest,
+                                         " was damaged on the server's disk "
+                                         "and set aside; upload it again")),
+        mesh.digest);
   }
   if (absl::IsNotFound(status)) return NotResident(mesh.digest);
   return absl::IsCancelled(status) ? status
