@@ -12,7 +12,10 @@ RowPipeline::RowPipeline(SoloJobs& jobs, Scheduler& scheduler, RowJobs plan,
       plan_(std::move(plan)),
       rows_(rows),
       function_(std::move(function)),
-      on_row_(std::move(on_row)) {}
+      on_row_(std::move(on_row)),
+      next_row_(plan_.first_row),
+      next_take_(plan_.first_row),
+      rows_finished_(plan_.first_row) {}
 
 absl::Status RowPipeline::Start() {
   Scheduler::Place place;

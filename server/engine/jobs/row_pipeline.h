@@ -54,6 +54,8 @@ struct RowJobs {
   bool is_continuation = false;
   JobPriority priority = JobPriority::kRow;
   TimePoint deadline = kNoDeadline;
+  // Rows before this one are not computed.
+  uint64_t first_row = 0;
   // For one row: its solver's memory and its own; see SoloJob.
   uint64_t planned_bytes = 0;
   uint64_t row_bytes = 0;
@@ -67,7 +69,8 @@ class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
   // waits for a thread. `on_row` is called from a job's thread when there may
   // be a row to take. It must be short, and may still be called during Cancel
   // and just after it.
-  // REQUIRES: `jobs` run on `scheduler`, and both outlive the pipeline's jobs.
+  // REQUIRES: there is a row; `jobs` run on `scheduler`, and both outlive the
+  // pipeline's jobs.
   RowPipeline(SoloJobs& jobs, Scheduler& scheduler, RowJobs plan, uint64_t rows,
               RowFunction function, std::function<void()> on_row);
 
@@ -83,7 +86,7 @@ class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
   // No more rows will be taken: running jobs stop at their next poll.
   void Cancel();
 
-  // Totals of the jobs that have ended:
+  // Totals of the jobs that have ended, and of rows that needed none:
   uint64_t rows_finished() const;
   double seconds() const;
   uint64_t windows_propagated() const;
@@ -111,12 +114,12 @@ class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
   std::function<void()> on_row_;
   Scheduler::Place place_;
   bool is_waiting_ = false;  // row next_row_ - 1 waits for a thread
-  uint64_t next_row_ = 0;    // the next to submit
-  uint64_t next_take_ = 0;   // the next to take
+  uint64_t next_row_;        // the next to submit
+  uint64_t next_take_;       // the next to take
   std::map<uint64_t, SoloJobs::Call> running_;
   std::map<uint64_t, MatrixRow> finished_;
   absl::Status failure_;
-  uint64_t rows_finished_ = 0;
+  uint64_t rows_finished_;
   double seconds_ = 0;
   uint64_t windows_propagated_ = 0;
 };

@@ -1,5 +1,6 @@
 #include "server/engine/matrices/matrix_engine.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -105,10 +106,15 @@ absl::StatusOr<MatrixCall> MatrixEngine::Compute(MatrixRequest request,
   } else {
     call.algorithm = work->query.OfSource(0, *work->mesh->mesh)->algorithm;
   }
+  if (!table.has_value()) {
+    call.first_row = std::min(request.received_values / call.column_count,
+                              call.row_count - 1);
+  }
   RowJobs plan{.client = request.requester.client,
                .account = std::move(request.requester.account),
                .priority = RowPriority(request.requester.is_batch),
                .deadline = request.deadline,
+               .first_row = call.first_row,
                .planned_bytes = work->PlannedBytes(),
                .row_bytes = work->RowBytes()};
   const auto pipeline = std::make_shared<RowPipeline>(

@@ -37,6 +37,10 @@ struct MatrixRequest {
   // If set, rows are computed by this approximate method; targets are vertices.
   std::optional<MethodHandle> method = {};
   RowFilter filter;
+  // How many values of a dense matrix the caller has. Rows that it has as a
+  // whole are left out, but for the last of the matrix, unless columns are
+  // computed.
+  uint64_t received_values = 0;
   TimePoint deadline = kNoDeadline;
   Requester requester;
 };
@@ -45,6 +49,7 @@ struct MatrixCall {
   MeshHandle mesh;
   std::shared_ptr<MatrixRows> rows;
   uint64_t row_count = 0;
+  uint64_t first_row = 0;  // those before are left out
   uint64_t column_count = 0;
   AlgorithmChoice algorithm = kDefaultAlgorithm;  // of the first row
 };
