@@ -38,7 +38,7 @@ class RowPipelineTest : public ::testing::Test {
             status = absl::InternalError("bad row");
           }
           if (!status.ok()) return status;
-          return MatrixRow{.values = {static_cast<double>(row)}};
+          return MatrixRow{{.values = {static_cast<double>(row)}}, {}};
         },
         [calls = calls_] { ++*calls; });
   }

@@ -4,6 +4,15 @@
 
 namespace geodesic::server {
 
+absl::StatusOr<MatrixRow> Charge(absl::StatusOr<DistanceRow> row,
+                                 ByteReservation memory) {
+  if (!row.ok()) return row.status();
+  memory.ShrinkTo(row->bytes());
+  absl::Status status = memory.GrowTo(row->bytes());
+  if (!status.ok()) return status;
+  return MatrixRow{*std::move(row), std::move(memory)};
+}
+
 RowPipeline::RowPipeline(SoloJobs& jobs, Scheduler& scheduler, RowJobs plan,
                          uint64_t rows, RowFunction function,
                          std::function<void()> on_row)

@@ -12,12 +12,11 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "geodesic/checkpoint.h"
-#include "geodesic/path.h"
+#include "geodesic/rows/rows.h"
 #include "geodesic/trace.h"
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/base/clock.h"
@@ -25,19 +24,17 @@
 
 namespace geodesic::server {
 
-struct MatrixRow {
+// A row, and the memory that it takes.
+struct MatrixRow : DistanceRow {
   ByteReservation memory;
-  // The column of each value; empty in a dense row.
-  std::vector<uint32_t> columns;
-  std::vector<double> values;
-  // No value is farther from the truth than this part of it; 0 if they are
-  // exact, up to rounding.
-  double certified_error = 0;
-  // Of the values, if they were asked for.
-  std::vector<GeodesicPath> paths;
   // Of a question about straight lines, in place of values.
-  std::vector<TracedLine> lines;
+  std::vector<TracedLine> lines = {};
 };
+
+// The row in the `memory` it was given, of which it keeps what it takes.
+// Errors: its own; as ByteReservation::GrowTo.
+absl::StatusOr<MatrixRow> Charge(absl::StatusOr<DistanceRow> row,
+                                 ByteReservation memory);
 
 // Computes a row in the `memory` it is given. Must be thread-safe, because rows
 // are computed in parallel.

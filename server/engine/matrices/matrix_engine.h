@@ -9,20 +9,16 @@
 #include <optional>
 #include <string>
 
-#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "geodesic/query.h"
-#include "geodesic/solve_options.h"
+#include "geodesic/rows/matrix.h"
 #include "geodesic_types/algorithms.h"
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/base/clock.h"
 #include "server/engine/base/limits.h"
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/jobs/solo_job.h"
-#include "server/engine/jobs/start_function.h"
 #include "server/engine/matrices/matrix_rows.h"
-#include "server/engine/matrices/matrix_work.h"
-#include "server/engine/matrices/row_filter.h"
 #include "server/engine/meshes/mesh_library.h"
 #include "server/engine/meshes/method_store.h"
 #include "server/engine/searches/search_engine.h"
@@ -59,8 +55,7 @@ class MatrixEngine {
  public:
   // REQUIRES: the references outlive the engine, and `scheduler` has no job
   // left when it is destroyed.
-  MatrixEngine(const Limits& limits, const SolveOptions& options,
-               Scheduler& scheduler, SoloJobs& jobs, const StartFunction& start,
+  MatrixEngine(const Limits& limits, Scheduler& scheduler, SoloJobs& jobs,
                std::shared_ptr<ByteBudget> solver_memory, MeshLibrary& meshes,
                SearchEngine& searches);
 
@@ -70,15 +65,12 @@ class MatrixEngine {
                                      std::function<void()> on_row);
 
  private:
-  // Turns the work so that its rows are the columns, if that costs less and
-  // there is memory for the table.
-  std::optional<ColumnTable> Transpose(MatrixWork& work) const;
+  // If columns cost less than rows, and there is memory for the table.
+  std::optional<ColumnTable> Transpose(MatrixQuestion& question) const;
 
   const Limits& limits_;
-  const SolveOptions& options_;
   Scheduler& scheduler_;
   SoloJobs& jobs_;
-  const StartFunction& start_;
   const std::shared_ptr<ByteBudget> solver_memory_;
   MeshLibrary& meshes_;
   SearchEngine& searches_;
