@@ -144,14 +144,12 @@ class Method:
 def fill_matrix(query: Query, radius: float, method: Optional[Method],
                 threads: int, progress: _Progress, out: NDArray[Any]) -> None:
     """`out` is C-contiguous, of float64 or float32."""
-def sparse_matrix(query: Query, radius: float, method: Optional[Method],
-                  threads: int, progress: _Progress) -> Tuple[
+def sparse_matrix(query: Query, radius: float, nearest: Optional[int],
+                  method: Optional[Method], threads: int,
+                  progress: _Progress) -> Tuple[
                       NDArray[np.int64], NDArray[np.int32],
                       NDArray[np.float64]]:
     """Counts of the rows, columns, values."""
-def nearest(query: Query, count: int, radius: float, method: Optional[Method],
-            threads: int, progress: _Progress) -> Tuple[
-                NDArray[np.int64], NDArray[np.float64]]: ...
 def pairs(mesh: Mesh, sources: Places, targets: Places,
           method: Optional[Method], tolerance: float, threads: int,
           progress: _Progress) -> NDArray[np.float64]:

@@ -109,11 +109,6 @@ class LocalBackend:
             return None
         return self._method(options.approximate, options)
 
-    def _rows(self, sources: Sources, targets: Optional[Places],
-              options: Options) -> Tuple[_core.Query, Optional[_core.Method]]:
-        return (self._query(sources, targets, options),
-                self._method_of(options))
-
     def _approximate_field(self, wanted: Approximate, sources: Sources,
                            targets: Places, radius: float,
                            options: Options) -> Field:
@@ -191,23 +186,16 @@ class LocalBackend:
 
     def fill_matrix(self, sources: Sources, targets: Optional[Places],
                     radius: float, out: np.ndarray, options: Options) -> None:
-        query, method = self._rows(sources, targets, options)
-        _core.fill_matrix(query, radius, method, options.threads,
+        _core.fill_matrix(self._query(sources, targets, options), radius,
+                          self._method_of(options), options.threads,
                           options.progress, out)
 
     def sparse_matrix(self, sources: Sources, targets: Optional[Places],
-                      radius: float, options: Options,
+                      radius: float, nearest: Optional[int], options: Options,
                       ) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
-        query, method = self._rows(sources, targets, options)
-        return _core.sparse_matrix(query, radius, method, options.threads,
-                                   options.progress)
-
-    def nearest(self, sources: Sources, targets: Places, count: int,
-                radius: float, options: Options,
-                ) -> Tuple[np.ndarray, np.ndarray]:
-        query, method = self._rows(sources, targets, options)
-        return _core.nearest(query, count, radius, method, options.threads,
-                             options.progress)
+        return _core.sparse_matrix(
+            self._query(sources, targets, options), radius, nearest,
+            self._method_of(options), options.threads, options.progress)
 
     def pairs(self, sources: Places, targets: Places,
               options: Options) -> np.ndarray:

@@ -1,11 +1,11 @@
 // Matrices and nearest targets.
 
-#include <algorithm>
+#include <pybind11/stl.h>
+
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <mutex>
-#include <span>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -88,12 +88,14 @@ void FillMatrix(const QueryHandle& about, double radius,
   });
 }
 
-// (counts of the rows, columns, values): what is within the radius.
+// (counts of the rows, columns, values): what is within the radius, of which
+// rows may have the nearest alone.
 py::tuple SparseMatrix(const QueryHandle& about, double radius,
+                       std::optional<uint64_t> nearest,
                        const MethodHandle* method, uint32_t threads,
                        py::object progress) {
-  const MatrixQuestion question =
-      MakeQuestion(about, {.radius = radius, .sparse = true}, method);
+  const MatrixQuestion question = MakeQuestion(
+      about, {.radius = radius, .sparse = true, .nearest = nearest}, method);
   std::vector<DistanceRow> rows(question.rows());
   struct Csr {
     std::vector<int64_t> counts;
@@ -121,32 +123,6 @@ py::tuple SparseMatrix(const QueryHandle& about, double radius,
                         ToArray(std::move(csr.values)));
 }
 
-// (targets, distances), each of shape (sources, count): of each source the
-// nearest targets in order; -1 and +infinity where there are fewer.
-py::tuple Nearest(const QueryHandle& about, uint32_t count, double radius,
-                  const MethodHandle* method, uint32_t threads,
-                  py::object progress) {
-  const MatrixQuestion question =
-      MakeQuestion(about, {.radius = radius, .nearest = count}, method);
-  const auto rows = static_cast<py::ssize_t>(question.rows());
-  py::array_t<int64_t> targets({rows, static_cast<py::ssize_t>(count)});
-  py::array_t<double> distances({rows, static_cast<py::ssize_t>(count)});
-  std::fill_n(targets.mutable_data(), targets.size(), -1);
-  std::fill_n(distances.mutable_data(), distances.size(),
-              std::numeric_limits<double>::infinity());
-  int64_t* const all_targets = targets.mutable_data();
-  double* const all_distances = distances.mutable_data();
-  Watch watch(std::move(progress));
-  watch.Run([&] {
-    return AnswerRows(
-        question, threads, watch, [&](uint64_t row, const DistanceRow& found) {
-          std::ranges::copy(found.columns, all_targets + row * count);
-          std::ranges::copy(found.values, all_distances + row * count);
-        });
-  });
-  return py::make_tuple(targets, distances);
-}
-
 }  // namespace
 
 void BindRows(py::module_& module) {
@@ -157,7 +133,6 @@ void BindRows(py::module_& module) {
              py::arg().noconvert(), py::arg(), py::arg(), py::arg(),
              py::arg().noconvert());
   module.def("sparse_matrix", &SparseMatrix);
-  module.def("nearest", &Nearest);
 }
 
 }  // namespace geodesic::python

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "geodesic/approximate/prepared_method.h"
-#include "geodesic/rows/kept_searches.h"
 #include "geodesic/mesh.h"
+#include "geodesic/rows/kept_searches.h"
 #include "geodesic/rows/rows.h"
 #include "geodesic/valid_query.h"
 
