@@ -3,7 +3,6 @@
 #include <google/protobuf/util/message_differencer.h>
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 #include <limits>
 #include <map>
@@ -12,12 +11,10 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "codec/value_type.h"
 
 namespace geodesic::codec {
 namespace {
-
-// Numbers arrive little endian and are copied as they are.
-static_assert(std::endian::native == std::endian::little);
 
 // How many bytes to reserve on the server's word alone. That takes address
 // space only, until numbers arrive. Larger arrays grow as vectors do.
@@ -35,22 +32,6 @@ struct NumberOf<std::array<Number, kSize>> {
 template <typename Element>
 constexpr size_t kNumbers = sizeof(Element) /
                             sizeof(typename NumberOf<Element>::Type);
-
-// 0 for types that are not known.
-size_t SizeOf(v1::ValueType type) {
-  switch (type) {
-    case v1::VALUE_TYPE_FLOAT64:
-    case v1::VALUE_TYPE_UINT64:
-      return 8;
-    case v1::VALUE_TYPE_FLOAT32:
-    case v1::VALUE_TYPE_UINT32:
-      return 4;
-    case v1::VALUE_TYPE_UINT8:
-      return 1;
-    default:
-      return 0;
-  }
-}
 
 // Doubles take floats, too.
 bool HasType(const v1::ArrayInfo& info, const AnswerReader::Values& values) {

@@ -4,22 +4,11 @@
 #include <variant>
 
 #include "absl/strings/str_cat.h"
+#include "codec/value_type.h"
 #include "geodesic_types/field_path.h"
 
 namespace geodesic::codec {
 namespace {
-
-uint32_t SizeOf(v1::ValueType type) {
-  switch (type) {
-    case v1::VALUE_TYPE_UINT8:
-      return 1;
-    case v1::VALUE_TYPE_FLOAT32:
-    case v1::VALUE_TYPE_UINT32:
-      return 4;
-    default:
-      return 8;
-  }
-}
 
 // 0, 1, 2 as point_kind has it.
 static_assert(std::is_same_v<SurfacePoint,

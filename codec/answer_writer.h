@@ -18,7 +18,6 @@
 #include <google/protobuf/repeated_ptr_field.h>
 
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -32,9 +31,6 @@
 #include "geodesic_types/places.h"
 
 namespace geodesic::codec {
-
-// Numbers are sent as they lie in memory.
-static_assert(std::endian::native == std::endian::little);
 
 // Not thread-safe.
 class AnswerWriter {

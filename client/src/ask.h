@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <type_traits>
 
 #include "absl/status/status.h"
 #include "codec/answer_reader.h"
@@ -14,6 +15,7 @@
 #include "geodesic/v1/answer.pb.h"
 #include "geodesic_client/answer.h"
 #include "geodesic_client/errors.h"
+#include "geodesic_client/field.h"
 #include "rpc_status.h"
 #include "translate.h"
 
@@ -52,7 +54,11 @@ void ReadInfo(const codec::AnswerReader& reader, Info* info) {
   if (trailer.has_certified_error()) {
     info->certified_error = trailer.certified_error();
   }
-  if constexpr (requires { info->compute_seconds; }) {
+  if constexpr (std::is_same_v<Info, Field>) {
+    info->origin = FromProto(trailer.origin());
+    info->statistics = FromProto(trailer.statistics());
+    info->settled_radius = trailer.settled_radius();
+  } else {
     info->compute_seconds = trailer.compute_seconds();
     info->windows_propagated = trailer.windows_propagated();
   }

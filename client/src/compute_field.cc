@@ -22,14 +22,6 @@ void CollectTargets(const FieldQuery& query, AnswerReader* reader,
   reader->Collect("target_distance", {count}, &field->target_distances);
 }
 
-// What a field alone says about itself.
-void Describe(const AnswerReader& reader, Field* field) {
-  const v1::AnswerTrailer& trailer = reader.trailer();
-  field->origin = FromProto(trailer.origin());
-  field->statistics = FromProto(trailer.statistics());
-  field->settled_radius = trailer.settled_radius();
-}
-
 }  // namespace
 
 absl::StatusOr<Field> Client::ComputeField(
@@ -53,7 +45,6 @@ absl::StatusOr<Field> Client::ComputeField(
       &Questions::ComputeField, MakeRequest<v1::ComputeFieldRequest>(query),
       options, ReportTo(progress), &reader, &field);
   if (!status.ok()) return status;
-  Describe(reader, &field);
   return field;
 }
 
@@ -88,7 +79,6 @@ absl::StatusOr<Field> Client::StreamField(
       connection_->Ask(&Questions::ComputeField, std::move(request), options,
                        ReportTo(progress), &reader, &field, take);
   if (!status.ok()) return status;
-  Describe(reader, &field);
   return field;
 }
 

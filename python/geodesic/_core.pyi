@@ -131,17 +131,6 @@ def isolines(query: Query, levels: List[float], chord_error: float,
                  Tuple[float, bool, Places, NDArray[np.float64]]]: ...
 def samples(query: Query, count: int, threads: int, progress: _Progress,
             ) -> Tuple[NDArray[np.int64], NDArray[np.float64]]: ...
-def fill_matrix(query: Query, radius: float, threads: int,
-                progress: _Progress, out: NDArray[Any]) -> None:
-    """`out` is C-contiguous, of float64 or float32."""
-def sparse_matrix(query: Query, radius: float, threads: int,
-                  progress: _Progress) -> Tuple[
-                      NDArray[np.int64], NDArray[np.int32],
-                      NDArray[np.float64]]:
-    """Counts of the rows, columns, values."""
-def nearest(query: Query, count: int, radius: float, threads: int,
-            progress: _Progress) -> Tuple[NDArray[np.int64],
-                                          NDArray[np.float64]]: ...
 
 class Method:
     """What an approximate algorithm has prepared of a mesh: any but heat."""
@@ -150,10 +139,18 @@ class Method:
     def distances(self, query: Query, progress: _Progress,
                   ) -> Tuple[NDArray[np.float64], float]:
         """(V,), and the seconds that it took."""
-    def pairs(self, sources: NDArray[np.uint32], targets: NDArray[np.uint32],
-              progress: _Progress) -> Optional[NDArray[np.float64]]:
-        """(N,), of vertices; None where fields answer pairs."""
 
-def pairs(query: Query, order: NDArray[np.int64], ends: NDArray[np.int64],
-          tolerance: float, threads: int, progress: _Progress,
-          ) -> NDArray[np.float64]: ...
+# Of the exact algorithm where `method` is None.
+def fill_matrix(query: Query, radius: float, method: Optional[Method],
+                threads: int, progress: _Progress, out: NDArray[Any]) -> None:
+    """`out` is C-contiguous, of float64 or float32."""
+def sparse_matrix(query: Query, radius: float, nearest: Optional[int],
+                  method: Optional[Method], threads: int,
+                  progress: _Progress) -> Tuple[
+                      NDArray[np.int64], NDArray[np.int32],
+                      NDArray[np.float64]]:
+    """Counts of the rows, columns, values."""
+def pairs(mesh: Mesh, sources: Places, targets: Places,
+          method: Optional[Method], tolerance: float, threads: int,
+          progress: _Progress) -> NDArray[np.float64]:
+    """(N,)."""

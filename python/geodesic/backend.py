@@ -179,12 +179,11 @@ class Backend(Protocol):
                     options: Options) -> None: ...
 
     def sparse_matrix(self, sources: Sources, targets: Optional[Places],
-                      radius: float, options: Options,
-                      ) -> Tuple[np.ndarray, np.ndarray, np.ndarray]: ...
-
-    def nearest(self, sources: Sources, targets: Places, count: int,
-                radius: float, options: Options,
-                ) -> Tuple[np.ndarray, np.ndarray]: ...
+                      radius: float, nearest: Optional[int], options: Options,
+                      ) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """How many values each row has, their columns (int32) and distances: all
+        that are finite, or the `nearest` in order of distance."""
+        ...
 
     def pairs(self, sources: Places, targets: Places,
               options: Options) -> np.ndarray: ...

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import dataclasses
-import math
 import threading
-from concurrent import futures
 from typing import Any, Dict, Iterator, List, Optional, Tuple
 
 import numpy as np
@@ -14,12 +11,10 @@ from . import _core
 from .approximate import Approximate
 from .backend import IsolineAnswer, LineAnswer, Options, PathAnswer
 from .digest import Reading, mesh_digest
-from .errors import InvalidArgument
 from .places import Places, Sources, empty
 from .results import Field
 
 _ALL_TARGETS = 2**64 - 1
-_NO_SOURCE = 2**32 - 1
 
 
 def _core_places(places: Places) -> _core.Places:
@@ -109,6 +104,11 @@ class LocalBackend:
                 del self._methods[next(iter(self._methods))]
         return method
 
+    def _method_of(self, options: Options) -> Optional[_core.Method]:
+        if options.approximate is None:
+            return None
+        return self._method(options.approximate, options)
+
     def _approximate_field(self, wanted: Approximate, sources: Sources,
                            targets: Places, radius: float,
                            options: Options) -> Field:
@@ -124,34 +124,6 @@ class LocalBackend:
             algorithm=wanted.name,
             statistics={"solve_seconds": seconds},
             approximation=wanted.complete())
-
-    def _approximate_rows(self, wanted: Approximate, sources: Sources,
-                          targets: Optional[Places], radius: float,
-                          options: Options) -> Iterator[np.ndarray]:
-        """The values of each row."""
-        if np.any(sources.counts >= 0):
-            raise InvalidArgument(
-                f"sources: {wanted.name} is approximate and takes no curves")
-        self._method(wanted, options)
-        report = options.progress
-        quiet = dataclasses.replace(options, progress=None)
-
-        def row(i: int) -> np.ndarray:
-            source = Sources(sources.places[i:i + 1], sources.counts[i:i + 1],
-                             sources.offsets[i:i + 1])
-            distances = self._approximate_field(wanted, source, empty(0),
-                                                radius, quiet).distances
-            return (distances if targets is None else
-                    distances[targets.numbers[:, 0]])
-
-        count = len(sources)
-        # No more at once than there are threads: a row may be long.
-        with futures.ThreadPoolExecutor(options.threads) as pool:
-            for first in range(0, count, options.threads):
-                last = min(first + options.threads, count)
-                yield from pool.map(row, range(first, last))
-                if report is not None:
-                    report(last, count)
 
     def field(self, sources: Sources, targets: Places, radius: float,
               stop_after_targets: Optional[int], labels: bool, gradients: bool,
@@ -214,84 +186,23 @@ class LocalBackend:
 
     def fill_matrix(self, sources: Sources, targets: Optional[Places],
                     radius: float, out: np.ndarray, options: Options) -> None:
-        if options.approximate is not None:
-            for i, row in enumerate(self._approximate_rows(
-                    options.approximate, sources, targets, radius, options)):
-                out[i] = row
-            return
         _core.fill_matrix(self._query(sources, targets, options), radius,
-                          options.threads, options.progress, out)
+                          self._method_of(options), options.threads,
+                          options.progress, out)
 
     def sparse_matrix(self, sources: Sources, targets: Optional[Places],
-                      radius: float, options: Options,
+                      radius: float, nearest: Optional[int], options: Options,
                       ) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
-        if options.approximate is not None:
-            counts, columns, values = [], [], []
-            for row in self._approximate_rows(
-                    options.approximate, sources, targets, radius, options):
-                finite = np.flatnonzero(np.isfinite(row))
-                counts.append(len(finite))
-                columns.append(finite.astype(np.int32))
-                values.append(row[finite])
-            return (np.array(counts, np.int64), np.concatenate(columns),
-                    np.concatenate(values))
-        return _core.sparse_matrix(self._query(sources, targets, options),
-                                   radius, options.threads, options.progress)
-
-    def nearest(self, sources: Sources, targets: Places, count: int,
-                radius: float, options: Options,
-                ) -> Tuple[np.ndarray, np.ndarray]:
-        if options.approximate is not None:
-            numbers = np.full((len(sources), count), -1, np.int64)
-            distances = np.full((len(sources), count), np.inf)
-            for i, row in enumerate(self._approximate_rows(
-                    options.approximate, sources, targets, radius, options)):
-                order = np.argsort(row, kind="stable")[:count]
-                order = order[np.isfinite(row[order])]
-                numbers[i, :len(order)] = order
-                distances[i, :len(order)] = row[order]
-            return numbers, distances
-        return _core.nearest(self._query(sources, targets, options), count,
-                             radius, options.threads, options.progress)
+        return _core.sparse_matrix(
+            self._query(sources, targets, options), radius, nearest,
+            self._method_of(options), options.threads, options.progress)
 
     def pairs(self, sources: Places, targets: Places,
               options: Options) -> np.ndarray:
-        if options.approximate is not None:
-            return self._approximate_pairs(options.approximate, sources,
-                                           targets, options)
-        order, ends = _groups(sources)
-        backward, backward_ends = _groups(targets)
-        # Distances are the same both ways, so the end that is shared by more
-        # pairs is the one to start from.
-        if len(backward_ends) < len(ends):
-            sources, targets = targets, sources
-            order, ends = backward, backward_ends
-        count = len(sources)
-        points = Sources(sources, np.full(count, -1), np.zeros(count))
-        return _core.pairs(self._query(points, targets, options), order, ends,
-                           options.tolerance, options.threads, options.progress)
-
-    def _approximate_pairs(self, wanted: Approximate, sources: Places,
-                           targets: Places, options: Options) -> np.ndarray:
-        ends = targets.numbers[:, 0]
-        found = self._method(wanted, options).pairs(
-            sources.numbers[:, 0], ends, options.progress)
-        if found is not None:
-            return found
-        # A field from each source answers all its pairs.
-        order, groups = _groups(sources)
-        pairs_of_source = np.split(order, groups[:-1])
-        count = len(pairs_of_source)
-        points = empty(count)
-        points.numbers[:, 0] = [sources.numbers[pairs[0], 0]
-                                for pairs in pairs_of_source]
-        rows = self._approximate_rows(
-            wanted, Sources(points, np.full(count, -1), np.zeros(count)), None,
-            math.inf, options)
-        distances = np.empty(len(sources))
-        for pairs, row in zip(pairs_of_source, rows):
-            distances[pairs] = row[ends[pairs]]
-        return distances
+        starts, ends = _core_places(sources), _core_places(targets)
+        method = self._method_of(options)
+        return _core.pairs(self._mesh, starts, ends, method, options.tolerance,
+                           options.threads, options.progress)
 
     def samples(self, sources: Sources, count: int, options: Options,
                 ) -> Tuple[np.ndarray, np.ndarray]:
@@ -305,18 +216,3 @@ class LocalBackend:
                             options.progress)
         coordinates, zero_direction = field.log_map(radius)
         return coordinates, np.array(zero_direction)
-
-
-def _groups(places: Places) -> Tuple[np.ndarray, np.ndarray]:
-    """An order in which equal places stand together, and where each group
-    ends."""
-    columns = [places.kinds, *places.numbers.T, *places.weights.T]
-    # Where all are vertices, one column tells.
-    columns = [column for column in columns if np.any(column != column[0])]
-    if not columns:
-        return np.arange(len(places)), np.array([len(places)])
-    order = np.lexsort(columns)
-    changes = np.zeros(len(places) - 1, bool)
-    for column in columns:
-        changes |= np.diff(column[order].astype(np.float64)) != 0
-    return order, np.append(np.flatnonzero(changes) + 1, len(places))

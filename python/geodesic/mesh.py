@@ -617,7 +617,7 @@ class Mesh:
                 "is not installed; matrix(radius=..., out=array) fills a dense "
                 "array") from None
         counts, indices, values = self._backend.sparse_matrix(
-            rows, points, radius, options)
+            rows, points, radius, None, options)
         starts = np.concatenate([[0], np.cumsum(counts)])
         return scipy.sparse.csr_matrix(
             (values.astype(dtype, copy=False), indices, starts),
@@ -647,8 +647,13 @@ class Mesh:
         options = Options(algorithm, _threads(threads), tolerance=tolerance)
         _vertices_alone(points, "targets", options)
         with reporting(progress, "rows") as options.progress:
-            return self._backend.nearest(rows, points, k, _radius(radius),
-                                         options)
+            counts, found, values = self._backend.sparse_matrix(
+                rows, points, _radius(radius), k, options)
+        is_there = np.arange(k) < counts[:, np.newaxis]
+        numbers = np.full(is_there.shape, -1, np.int64)
+        distances = np.full(is_there.shape, np.inf)
+        numbers[is_there], distances[is_there] = found, values
+        return numbers, distances
 
     def samples(self, count: int, source: OneOrManySources, *,
                 algorithm: Optional[str] = None, tolerance: float = 0,

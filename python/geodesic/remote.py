@@ -370,16 +370,6 @@ class RemoteBackend:
                             radius, first, total,
                             None if out is None else {"distance": out[some]})
 
-    def _sparse_rows(self, name: str, numbers: str, *question: Any,
-                     ) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """How many values each row has, their numbers and distances."""
-        parts = [
-            (np.diff(answer["row_end"].astype(np.int64), prepend=0),
-             answer[numbers], answer["distance"])
-            for answer in self._rows(name, *question)]
-        counts, found, distances = map(np.concatenate, zip(*parts))
-        return counts, found, distances
-
     def fill_matrix(self, sources: Sources, targets: Optional[Places],
                     radius: float, out: np.ndarray, options: Options) -> None:
         for _ in self._rows(
@@ -388,25 +378,21 @@ class RemoteBackend:
             pass
 
     def sparse_matrix(self, sources: Sources, targets: Optional[Places],
-                      radius: float, options: Options,
+                      radius: float, nearest: Optional[int], options: Options,
                       ) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
-        counts, columns, distances = self._sparse_rows(
-            "ComputeMatrix", "column", sources, targets, radius, options,
-            {"layout": "MATRIX_LAYOUT_SPARSE"})
-        return counts, columns.view(np.int32), distances
-
-    def nearest(self, sources: Sources, targets: Places, count: int,
-                radius: float, options: Options,
-                ) -> Tuple[np.ndarray, np.ndarray]:
-        counts, found, lengths = self._sparse_rows(
-            "FindNearest", "target", sources, targets, radius, options,
-            {"count": count})
-        is_there = np.arange(count) < counts[:, np.newaxis]
-        numbers = np.full(is_there.shape, -1, np.int64)
-        distances = np.full(is_there.shape, np.inf)
-        numbers[is_there] = found
-        distances[is_there] = lengths
-        return numbers, distances
+        if nearest is None:
+            rows = self._rows("ComputeMatrix", sources, targets, radius, options,
+                              {"layout": "MATRIX_LAYOUT_SPARSE"})
+        else:
+            rows = self._rows("FindNearest", sources, targets, radius, options,
+                              {"count": nearest})
+        columns = "column" if nearest is None else "target"
+        parts = [
+            (np.diff(answer["row_end"].astype(np.int64), prepend=0),
+             answer[columns].view(np.int32), answer["distance"])
+            for answer in rows]
+        counts, found, distances = map(np.concatenate, zip(*parts))
+        return counts, found, distances
 
     def pairs(self, sources: Places, targets: Places,
               options: Options) -> np.ndarray:

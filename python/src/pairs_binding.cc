@@ -1,15 +1,15 @@
-// Distances of pairs: a search for each, or a field for several.
+// Distances of pairs.
 
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "arrays.h"
 #include "bindings.h"
-#include "geodesic/target_search.h"
+#include "geodesic/rows/pairs.h"
+#include "places.h"
 #include "rows.h"
-#include "solve_within.h"
-#include "status.h"
 #include "subject.h"
 #include "watch.h"
 
@@ -18,96 +18,55 @@ namespace {
 
 namespace py = pybind11;
 
-using PairGroups = std::vector<std::vector<size_t>>;
-
-// Group g is what `order` has between ends[g - 1] and ends[g].
-PairGroups ToGroups(const py::array_t<int64_t>& order,
-                    const py::array_t<int64_t>& ends) {
-  const auto number = order.unchecked<1>();
-  const auto end = ends.unchecked<1>();
-  PairGroups groups(static_cast<size_t>(end.shape(0)));
-  py::ssize_t k = 0;
-  for (size_t g = 0; g < groups.size(); ++g) {
-    for (; k < end(static_cast<py::ssize_t>(g)); ++k) {
-      groups[g].push_back(static_cast<size_t>(number(k)));
-    }
+// The distance from each of the sources to the target of the same number.
+absl::StatusOr<std::vector<double>> FindDistances(const MeshHandle& on,
+                                                  std::vector<PointPair> pairs,
+                                                  PairOptions options,
+                                                  uint32_t threads,
+                                                  Watch& watch) {
+  std::vector<double> distances(pairs.size());
+  const auto question = PairQuestion::Make(
+      *on.mesh, std::move(pairs), std::move(options), *on.searches, threads);
+  if (!question.ok()) return question.status();
+  const uint64_t rows = (*question)->rows().size();
+  // The first row would make them with one thread.
+  if (const uint32_t count = (*question)->landmarks(); count > 0) {
+    RowsEnded before(0, rows, watch);
+    absl::Status made =
+        on.searches->MakeLandmarks(count, {.threads = threads}, before)
+            .status();
+    if (!made.ok()) return made;
   }
-  return groups;
+  absl::Status status =
+      RunRows(rows, threads, watch, [&](uint64_t row, Checkpoint& checkpoint) {
+        const absl::StatusOr<DistanceRow> found =
+            (*question)->Answer(row, checkpoint);
+        if (!found.ok()) return found.status();
+        for (size_t i = 0; i < found->values.size(); ++i) {
+          distances[found->columns[i]] = found->values[i];
+        }
+        return absl::OkStatus();
+      });
+  if (!status.ok()) return status;
+  return distances;
 }
 
-// Says how far a computation is in rows while something is made for all.
-class BeforeRows final : public Checkpoint {
- public:
-  BeforeRows(Watch& watch, uint64_t rows) : watch_(watch), rows_(rows) {}
-  absl::Status Poll(const Progress&) override {
-    return watch_.Report(0, rows_);
-  }
-
- private:
-  Watch& watch_;
-  const uint64_t rows_;
-};
-
-// The distances from source i to target i of the query, for the pairs i of a
-// group, whose sources are equal.
-absl::Status AnswerPairs(const QueryHandle& question,
-                         const std::vector<size_t>& pairs, double tolerance,
-                         Checkpoint& checkpoint,
-                         std::vector<double>& distances) {
-  Query query{.sources = {question.query->sources[pairs[0]]},
-              .tolerance = tolerance};
-  for (size_t i : pairs) query.targets.push_back(question.query->targets[i]);
-  const absl::StatusOr<ValidQuery> valid =
-      ValidQuery::Make(std::move(query), question.mesh());
-  if (!valid.ok()) return valid.status();
-  std::vector<double> found;
-  if (pairs.size() >= question.on.searches->FieldInSearches()) {
-    absl::StatusOr<DistanceField> field =
-        SolveWithin(question.mesh(), *valid, {.targets = pairs.size()},
-                    /*threads=*/1, checkpoint);
-    if (!field.ok()) return field.status();
-    found = std::move(field->target_distances);
-  } else {
-    absl::StatusOr<TargetDistances> searched =
-        question.on.searches->Run(*valid, checkpoint);
-    if (!searched.ok()) return searched.status();
-    found = std::move(searched->distances);
-  }
-  for (size_t k = 0; k < pairs.size(); ++k) distances[pairs[k]] = found[k];
-  return absl::OkStatus();
-}
-
-// The distance from source i to target i of the query, for each i. `order` has
-// every i, those of equal sources beside each other, each group up to one of
-// `ends`. The tolerance holds for each source alone.
-py::array_t<double> Pairs(const QueryHandle& question,
-                          const py::array_t<int64_t>& order,
-                          const py::array_t<int64_t>& ends, double tolerance,
+py::array_t<double> Pairs(const MeshHandle& on, const PlaceArrays& sources,
+                          const PlaceArrays& targets,
+                          const MethodHandle* method, double tolerance,
                           uint32_t threads, py::object progress) {
-  const PairGroups groups = ToGroups(order, ends);
-  size_t searches = 0;
-  for (const std::vector<size_t>& group : groups) {
-    if (group.size() < kFieldInSearches) searches += group.size();
-  }
-  std::vector<double> distances(question.query->targets.size());
+  const std::vector<SurfacePoint> from = ToSurfacePoints(sources);
+  const std::vector<SurfacePoint> to = ToSurfacePoints(targets);
+  std::vector<PointPair> pairs;
+  pairs.reserve(from.size());
+  for (size_t i = 0; i < from.size(); ++i) pairs.push_back({from[i], to[i]});
   Watch watch(std::move(progress));
-  watch.Run([&]() -> absl::StatusOr<bool> {
-    if (const uint32_t count = LandmarksWorth(searches); count > 0) {
-      BeforeRows before(watch, groups.size());
-      absl::Status made =
-          question.on.searches->MakeLandmarks(count, threads, before);
-      if (!made.ok()) return made;
-    }
-    absl::Status status =
-        RunRows(groups.size(), threads, watch,
-                [&](uint64_t row, Checkpoint& checkpoint) {
-                  return AnswerPairs(question, groups[row], tolerance,
-                                     checkpoint, distances);
-                });
-    if (!status.ok()) return status;
-    return true;
-  });
-  return ToArray(std::move(distances));
+  return ToArray(watch.Run([&] {
+    return FindDistances(
+        on, std::move(pairs),
+        {.tolerance = tolerance, .method = RowMethodOf(method)}, threads,
+        watch);
+  }));
 }
 
 }  // namespace

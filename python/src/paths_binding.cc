@@ -1,6 +1,7 @@
 #include <pybind11/stl.h>
 
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "geodesic/path.h"
+#include "geodesic/target_search.h"
 #include "geodesic/trace.h"
 #include "places.h"
 #include "rows.h"
@@ -21,31 +23,18 @@ namespace {
 namespace py = pybind11;
 using PathList = std::vector<GeodesicPath>;
 
-// Says how many of the paths there are while one is traced.
-class OfPaths final : public Checkpoint {
- public:
-  OfPaths(size_t traced, size_t all, Watch& watch)
-      : traced_(traced), all_(all), watch_(watch) {}
-
-  absl::Status Poll(const Progress&) override {
-    return watch_.Report(traced_, all_);
-  }
-
- private:
-  const size_t traced_, all_;
-  Watch& watch_;
-};
-
 // To few targets by a search for each, otherwise from one field; then `watch`
 // is told how many paths there are.
 absl::StatusOr<PathList> FindPaths(const QueryHandle& question, double radius,
                                    uint32_t threads, Watch& watch) {
   const ValidQuery& query = question.query;
   const size_t targets = query->targets.size();
-  if (query->algorithm == kDefaultAlgorithm && std::isinf(radius) &&
-      targets < question.on.searches->FieldInSearches()) {
+  const std::shared_ptr<const Landmarks> landmarks =
+      question.on.searches->landmarks();
+  if (TargetSearch::IsDirected(query->algorithm) && std::isinf(radius) &&
+      targets < FieldInSearches(query->algorithm, landmarks.get())) {
     absl::StatusOr<TargetDistances> found =
-        question.on.searches->Run(query, watch);
+        question.on.searches->Search(query, landmarks.get(), watch);
     if (!found.ok()) return found.status();
     return std::move(found->paths);
   }
@@ -58,7 +47,7 @@ absl::StatusOr<PathList> FindPaths(const QueryHandle& question, double radius,
   if (!tracer.ok()) return tracer.status();
   PathList paths;
   for (uint32_t target = 0; target < targets; ++target) {
-    OfPaths checkpoint(target, targets, watch);
+    RowsEnded checkpoint(target, targets, watch);
     if (absl::Status status = checkpoint.Poll({}); !status.ok()) return status;
     absl::StatusOr<GeodesicPath> path = tracer->ToTarget(target, checkpoint);
     if (!path.ok()) return path.status();

@@ -22,6 +22,21 @@ absl::Status RunRows(
     const std::function<absl::Status(uint64_t row, Checkpoint& checkpoint)>&
         row);
 
+// Tells `watch`, while a row is computed, how many of all have ended.
+class RowsEnded final : public Checkpoint {
+ public:
+  RowsEnded(uint64_t ended, uint64_t all, Watch& watch)
+      : ended_(ended), all_(all), watch_(watch) {}
+
+  absl::Status Poll(const Progress&) override {
+    return watch_.Report(ended_, all_);
+  }
+
+ private:
+  const uint64_t ended_, all_;
+  Watch& watch_;
+};
+
 }  // namespace geodesic::python
 
 #endif  // GEODESIC_PYTHON_ROWS_H_

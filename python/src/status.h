@@ -14,6 +14,9 @@ namespace geodesic::python {
 // REQUIRES: the status is not OK; the caller holds the interpreter's lock.
 [[noreturn]] void Throw(const absl::Status& status);
 
+inline void ValueOrThrow(const absl::Status& status) {
+  if (!status.ok()) Throw(status);
+}
 template <typename T>
 T ValueOrThrow(absl::StatusOr<T> value) {
   if (!value.ok()) Throw(value.status());

@@ -19,10 +19,12 @@ class RowPipelineTest : public ::testing::Test {
   }
 
   std::shared_ptr<RowPipeline> Make(uint64_t rows,
-                                    TimePoint deadline = kNoDeadline) {
+                                    TimePoint deadline = kNoDeadline,
+                                    uint64_t first_row = 0) {
     return std::make_shared<RowPipeline>(
         jobs_, scheduler_,
         RowJobs{.deadline = deadline,
+                .first_row = first_row,
                 .planned_bytes = kPlannedBytes,
                 .row_bytes = kRowBytes},
         rows,
@@ -36,7 +38,7 @@ class RowPipelineTest : public ::testing::Test {
             status = absl::InternalError("bad row");
           }
           if (!status.ok()) return status;
-          return MatrixRow{.values = {static_cast<double>(row)}};
+          return MatrixRow{{.values = {static_cast<double>(row)}}, {}};
         },
         [calls = calls_] { ++*calls; });
   }
@@ -83,6 +85,20 @@ TEST_F(RowPipelineTest, HandsRowsOutInOrderToTheLast) {
   EXPECT_EQ(*calls_, 7);
   EXPECT_EQ(rows->windows_propagated(), 70);
   // The pipeline holds those who wait no longer than it needs to.
+  EXPECT_EQ(calls_.use_count(), 1);
+}
+
+TEST_F(RowPipelineTest, BeginsWithTheFirstRowThatIsWanted) {
+  const auto rows = Make(7, kNoDeadline, /*first_row=*/5);
+  ASSERT_TRUE(rows->Start().ok());
+  executor_.RunAll();
+  EXPECT_EQ(started_, (std::vector<uint64_t>{5, 6}));
+  EXPECT_EQ(rows->rows_finished(), 7);
+  for (int row = 5; row < 7; ++row) {
+    auto next = rows->Take();
+    ASSERT_TRUE(next.has_value() && next->ok());
+    EXPECT_EQ((*next)->values, std::vector<double>{double(row)});
+  }
   EXPECT_EQ(calls_.use_count(), 1);
 }
 

@@ -88,6 +88,7 @@ TEST_F(ResumedReadTest, EveryAnswerIsReadOn) {
   const auto expect_same = [&](uint64_t bytes, const auto& ask) {
     const std::vector<double> expected = ask(direct_);
     EXPECT_FALSE(expected.empty());
+    EXPECT_TRUE(cut.ListMeshes().ok());  // has a connection
     relay_.CutAfter(bytes / 2);
     EXPECT_TRUE(ask(cut) == expected) << "after " << bytes / 2;
     EXPECT_EQ(relay_.cuts(), ++cuts);

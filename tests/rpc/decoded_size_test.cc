@@ -48,6 +48,7 @@ TEST(DecodedSize, BoundsWhatIsDecoded) {
   v1::ComputeFieldRequest field;
   for (int i = 0; i < 1000; ++i) {
     field.add_quantities(v1::FIELD_QUANTITY_GRADIENT);
+    field.mutable_resumption()->add_received(i);
   }
   ExpectBound<v1::ComputeFieldRequest>(field.SerializeAsString());
 

@@ -18,30 +18,23 @@ uint64_t WidthOf(const v1::ArrayInfo& array) {
                          uint64_t{1}, std::multiplies<>());
 }
 
-// That nothing comes of a line before all of its points.
-void ExpectPointsFirst(const Reply& reply) {
-  const auto& arrays = reply.header().arrays();
-  if (std::ranges::find(arrays, "line_end", &v1::ArrayInfo::name) ==
-      arrays.end()) {
-    return;
+// That of these numbers of each array none is of a line whose points have not
+// come. `ends`: of the lines.
+void ExpectPointsFirst(
+    const google::protobuf::RepeatedPtrField<v1::ArrayInfo>& arrays,
+    const std::vector<uint64_t>& received, const std::vector<uint64_t>& ends) {
+  uint64_t points = std::numeric_limits<uint64_t>::max();
+  uint64_t lines = 0;
+  for (int i = 0; i < arrays.size(); ++i) {
+    const std::string& name = arrays[i].name();
+    if (name == "position" || name.starts_with("point_")) {
+      points = std::min(points, received[i] / WidthOf(arrays[i]));
+    } else {
+      lines = std::max(lines, received[i]);
+    }
   }
-  const auto ends = reply.Values<uint64_t>("line_end");
-  for (size_t i = 1; i <= reply.messages.size(); ++i) {
-    const std::vector<uint64_t> received = Received(reply, i);
-    uint64_t points = std::numeric_limits<uint64_t>::max();
-    uint64_t lines = 0;
-    for (int k = 0; k < arrays.size(); ++k) {
-      const std::string& name = arrays[k].name();
-      if (name == "position" || name.starts_with("point_")) {
-        points = std::min(points, received[k] / WidthOf(arrays[k]));
-      } else {
-        lines = std::max(lines, received[k]);
-      }
-    }
-    ASSERT_LE(lines, ends.size());
-    if (lines > 0) {
-      EXPECT_LE(ends[lines - 1], points);
-    }
+  if (lines > 0) {
+    EXPECT_LE(ends.at(lines - 1), points);
   }
 }
 
@@ -100,17 +93,6 @@ size_t SizeOf(const v1::ArrayInfo& array) {
   }
 }
 
-std::vector<uint64_t> Received(const Reply& reply, size_t messages) {
-  std::vector<uint64_t> received(reply.header().arrays_size());
-  for (size_t i = 0; i < messages; ++i) {
-    for (const v1::Block& block : reply.messages[i].blocks()) {
-      const size_t size = SizeOf(reply.header().arrays(block.array()));
-      received[block.array()] = block.first() + block.values().size() / size;
-    }
-  }
-  return received;
-}
-
 void ExpectRules(const Reply& reply, const v1::Resumption& before) {
   if (reply.messages.empty()) {
     EXPECT_FALSE(reply.status.ok());
@@ -120,6 +102,11 @@ void ExpectRules(const Reply& reply, const v1::Resumption& before) {
   std::vector<uint64_t> next(before.received().begin(),
                              before.received().end());
   next.resize(arrays.size());
+  std::vector<uint64_t> line_ends;
+  if (reply.status.ok() && before.received().empty() &&
+      std::ranges::count(arrays, "line_end", &v1::ArrayInfo::name) > 0) {
+    line_ends = reply.Values<uint64_t>("line_end");
+  }
   bool is_named = false;
   for (const v1::Answer& message : reply.messages) {
     EXPECT_EQ(message.has_header(), &message == &reply.messages.front());
@@ -137,6 +124,7 @@ void ExpectRules(const Reply& reply, const v1::Resumption& before) {
       EXPECT_EQ(block.values().size() % size, 0);
       next[block.array()] += block.values().size() / size;
     }
+    if (!line_ends.empty()) ExpectPointsFirst(arrays, next, line_ends);
   }
   if (!reply.status.ok()) return;
   for (int i = 0; i < arrays.size(); ++i) {
@@ -145,7 +133,6 @@ void ExpectRules(const Reply& reply, const v1::Resumption& before) {
     EXPECT_EQ(next[i], items < 0 ? next[i] / width * width : items * width)
         << arrays[i].name();
   }
-  if (before.received().empty()) ExpectPointsFirst(reply);
 }
 
 }  // namespace geodesic::server::test

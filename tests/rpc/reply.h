@@ -49,9 +49,6 @@ Reply ReadAll(AnswerReader& reader);
 // How many bytes a number of an array takes.
 size_t SizeOf(const v1::ArrayInfo& array);
 
-// The numbers that have come of each array once the first messages have.
-std::vector<uint64_t> Received(const Reply& reply, size_t messages);
-
 // That these messages keep the rules of answer.proto, and bring all of the
 // answer if it ended well but for what came before.
 void ExpectRules(const Reply& reply, const v1::Resumption& before);

@@ -157,6 +157,21 @@ TEST_F(ResumptionTest, OfMatrices) {
   ExpectResumes(request);
 }
 
+TEST_F(ResumptionTest, RowsThatHaveComeAreNotComputedAgain) {
+  UseLargeGrid();
+  auto request = From<v1::ComputeMatrixRequest>(0);
+  for (uint32_t i = 1; i < 4; ++i) request.add_sources()->set_vertex(i * 777);
+  const Reply whole = Answered(request);
+  request.mutable_resumption()->set_answer_id(whole.answer_id());
+  // Three of four rows, and a number of the last.
+  const uint64_t row = 101 * 101;
+  request.mutable_resumption()->add_received(3 * row + 1);
+  const Reply rest = Answered(request);
+  EXPECT_GT(rest.trailer().windows_propagated(), 0);
+  EXPECT_LT(2 * rest.trailer().windows_propagated(),
+            whole.trailer().windows_propagated());
+}
+
 TEST_F(ResumptionTest, OfNearestTargets) {
   v1::FindNearestRequest request;
   request.set_mesh_digest(digest_);

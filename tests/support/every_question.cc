@@ -13,6 +13,9 @@
 #include "geodesic/landmarks.h"
 #include "geodesic/log_map.h"
 #include "geodesic/path.h"
+#include "geodesic/rows/kept_searches.h"
+#include "geodesic/rows/matrix.h"
+#include "geodesic/rows/pairs.h"
 #include "geodesic/sampling.h"
 #include "geodesic/solve.h"
 #include "geodesic/target_search.h"
@@ -71,6 +74,32 @@ absl::Status FollowLine(const Mesh& mesh, uint32_t source,
   return tracer->Trace(0.0, 100 * size, checkpoint).status();
 }
 
+// All rows, of which the first is a search and the second a field.
+absl::Status AskPairs(const Mesh& mesh, uint32_t source,
+                      Checkpoint& checkpoint) {
+  const VertexPoint last{mesh.vertex_count() - 1};
+  std::vector<PointPair> pairs = {{VertexPoint{source}, last}};
+  for (uint32_t v = 0; v < kFieldInSearches; ++v) {
+    pairs.push_back({VertexPoint{source + 1}, VertexPoint{v}});
+  }
+  KeptSearches searches(mesh);
+  const auto question = PairQuestion::Make(mesh, pairs, {}, searches, 1);
+  if (!question.ok()) return question.status();
+  for (uint64_t row = 0; row < (*question)->rows().size(); ++row) {
+    absl::Status status = (*question)->Answer(row, checkpoint).status();
+    if (!status.ok()) return status;
+  }
+  return absl::OkStatus();
+}
+
+absl::Status AskMatrix(const Mesh& mesh, uint32_t source,
+                       Checkpoint& checkpoint) {
+  KeptSearches searches(mesh);
+  const auto question = MatrixQuestion::Make(
+      mesh, Valid(mesh, From(source, /*trace=*/false)), {}, {}, searches);
+  return question->Answer(0, checkpoint).status();
+}
+
 absl::Status Approximate(const Mesh& mesh, uint32_t source,
                          const MethodChoice& choice, Checkpoint& checkpoint) {
   auto method = PrepareMethod(mesh, choice, 1, checkpoint);
@@ -112,6 +141,8 @@ std::vector<AnyQuestion> EveryQuestion(bool algorithms) {
       }));
   all.push_back({"search", Search});
   all.push_back({"trace", FollowLine});
+  all.push_back({"pairs", AskPairs});
+  all.push_back({"matrix", AskMatrix});
   all.push_back({"isolines",
                  [](const Mesh& mesh, uint32_t source, Checkpoint& checkpoint) {
                    IsolineOptions isolines;

@@ -33,6 +33,10 @@ struct Reach {
   uint64_t targets = std::numeric_limits<uint64_t>::max();
 };
 
+// Of a question that names its radius. Errors: INVALID_ARGUMENT with the path
+// "radius" (field_path.h) if it is negative or NaN.
+absl::Status CheckRadius(double radius);
+
 // Not thread-safe. It has threads of its own (SolveOptions::threads) only
 // during Advance. It holds the wavefront and the distances between calls. The
 // mesh must outlive it.

@@ -76,6 +76,8 @@ class Landmarks {
   uint64_t bytes() const { return rows_.capacity() * sizeof(Row); }
   // What bytes() will be for a mesh.
   static uint64_t PlannedBytes(const Mesh& mesh);
+  // What making them takes beside that: a field, and what it is computed from.
+  static uint64_t PlannedMakingBytes(const Mesh& mesh);
 
   // REQUIRES: the point is one of the mesh. O(landmarks).
   Place PlaceOf(const SurfacePoint& point, const Mesh& mesh) const;

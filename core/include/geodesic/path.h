@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "absl/status/statusor.h"
@@ -34,6 +35,9 @@ struct GeodesicPath {
   // The number of the source where the path starts.
   uint32_t source = 0;
 };
+
+// What paths take in memory. O(paths).
+uint64_t BytesOf(std::span<const GeodesicPath> paths);
 
 class TracedField;
 struct PathEnd;

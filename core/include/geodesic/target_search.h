@@ -44,6 +44,9 @@ constexpr size_t FieldInSearches(uint32_t landmarks) {
   return kFieldInSearches + landmarks;
 }
 
+// A search that is not directed is a field itself.
+inline constexpr size_t kFieldInUndirectedSearches = 2;
+
 // How many landmarks are worth their fields if so many searches follow: the
 // first few break even at about 400 searches, the last at some 4,000.
 constexpr uint32_t LandmarksWorth(size_t searches) {
@@ -96,12 +99,20 @@ class TargetSearch {
 
   // Bytes held beside the mesh between searches, and at the start of one.
   uint64_t bytes() const;
-  static uint64_t PlannedBytes(const Mesh& mesh);
+  // Bytes to reserve before a search for this query starts.
+  static uint64_t PlannedBytes(const Mesh& mesh, const ValidQuery& query);
 
  private:
   class Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+// From so many searches on a field costs less, with the algorithm that runs and
+// these landmarks, which may be null.
+inline size_t FieldInSearches(Algorithm algorithm, const Landmarks* landmarks) {
+  if (!TargetSearch::IsDirected(algorithm)) return kFieldInUndirectedSearches;
+  return FieldInSearches(landmarks == nullptr ? 0 : landmarks->count());
+}
 
 }  // namespace geodesic
 

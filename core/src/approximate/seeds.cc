@@ -38,6 +38,25 @@ absl::Status CheckSources(ApproximateMethod method,
   return absl::OkStatus();
 }
 
+absl::Status NoVertex(ApproximateMethod method, const std::string& path) {
+  return InvalidField(
+      path, absl::StrCat(path, " is no vertex: ",
+                         std::string(ApproximateMethodName(method)),
+                         " is approximate and gives the distances of vertices "
+                         "alone; name a vertex, or ask an exact algorithm"));
+}
+
+absl::Status CheckPlaces(ApproximateMethod method, const Query& query) {
+  absl::Status status = CheckSources(method, query.sources);
+  if (!status.ok()) return status;
+  const std::vector<SurfacePoint>& targets = query.targets;
+  for (size_t t = 0; t < targets.size(); ++t) {
+    if (std::holds_alternative<VertexPoint>(targets[t])) continue;
+    return NoVertex(method, absl::StrCat("targets[", t, "]"));
+  }
+  return absl::OkStatus();
+}
+
 absl::StatusOr<std::vector<Seed>> SeedsOf(const ValidQuery& query,
                                           const Mesh& mesh,
                                           ApproximateMethod method) {

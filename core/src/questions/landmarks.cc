@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "geodesic/computation.h"
 #include "geodesic/solve.h"
 #include "mesh/scaled_difference.h"
 #include "surface/surface_location.h"
@@ -95,6 +96,13 @@ Landmarks::Landmarks(const Mesh& mesh, uint32_t count, double step,
 
 uint64_t Landmarks::PlannedBytes(const Mesh& mesh) {
   return mesh.vertex_count() * sizeof(Row);
+}
+
+uint64_t Landmarks::PlannedMakingBytes(const Mesh& mesh) {
+  const absl::StatusOr<ValidQuery> query =
+      ValidQuery::Make({.sources = {{VertexPoint{0}}}}, mesh);
+  return (query.ok() ? PlannedSolverBytes(mesh, *query) : 0) +
+         mesh.vertex_count() * sizeof(double);
 }
 
 void Landmarks::Add(const Mesh& mesh, std::span<const double> distances) {

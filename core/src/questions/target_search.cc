@@ -460,7 +460,7 @@ absl::StatusOr<TargetDistances> TargetSearch::Run(const ValidQuery& query,
 
 uint64_t TargetSearch::bytes() const { return impl_->bytes(); }
 
-uint64_t TargetSearch::PlannedBytes(const Mesh& mesh) {
+uint64_t TargetSearch::PlannedBytes(const Mesh& mesh, const ValidQuery& query) {
   // Distance, state, ray and bound, and what the first path takes; where lists
   // wait; the queue and the windows of a wide search.
   constexpr uint64_t kPerVertex =
@@ -468,9 +468,13 @@ uint64_t TargetSearch::PlannedBytes(const Mesh& mesh) {
   constexpr uint64_t kBase = uint64_t{1} << 20;
   constexpr uint64_t kPerHalfEdge =
       sizeof(uint32_t) + BackwardBounds::kBytesByHalfEdge;
-  return (kPerVertex + BackwardBounds::kBytesByVertex) * mesh.vertex_count() +
-         kPerHalfEdge * mesh.half_edge_count() + mesh.resident_bytes() / 16 +
-         kBase;
+  const uint64_t of_search =
+      (kPerVertex + BackwardBounds::kBytesByVertex) * mesh.vertex_count() +
+      kPerHalfEdge * mesh.half_edge_count() + mesh.resident_bytes() / 16 +
+      kBase;
+  if (IsDirected(query->algorithm)) return of_search;
+  // It is computed as a field, beside these arrays.
+  return of_search + PlannedSolverBytes(mesh, query);
 }
 
 }  // namespace geodesic

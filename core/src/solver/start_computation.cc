@@ -7,6 +7,7 @@
 #include "absl/strings/str_cat.h"
 #include "geodesic/solve.h"
 #include "geodesic_types/algorithms.h"
+#include "geodesic_types/field_path.h"
 #include "solver/accuracy.h"
 #include "solver/merged_computation.h"
 #include "solver/propagation.h"
@@ -46,6 +47,12 @@ std::unique_ptr<Computation> Start(const Mesh& mesh, const ValidQuery& query,
 }
 
 }  // namespace
+
+absl::Status CheckRadius(double radius) {
+  if (radius >= 0) return absl::OkStatus();
+  return InvalidField("radius", absl::StrCat("radius is ", radius,
+                                             "; it must be a number >= 0"));
+}
 
 absl::StatusOr<Tuning> TuningFor(const Mesh& mesh,
                                  const SolveOptions& options) {

@@ -34,12 +34,6 @@ absl::Status CheckCount(std::string_view things, uint64_t count,
                    absl::StrReplaceAll(View(limit_name), {{"_", "-"}}), ")"));
 }
 
-absl::Status CheckRadius(std::string_view field, double radius) {
-  if (radius >= 0) return absl::OkStatus();
-  return InvalidField(field, absl::StrCat(View(field), " is ", radius,
-                                          "; it must be a number >= 0"));
-}
-
 absl::Status AnswerNotKept() {
   return WithReason(
       absl::NotFoundError("the answer is no longer kept: ask for it again, "

@@ -20,9 +20,6 @@ absl::Status CheckCount(std::string_view things, uint64_t count,
                         std::string_view limit_name, uint64_t limit,
                         std::string_view who = "the request has");
 
-// Errors: INVALID_ARGUMENT naming `field` when it is negative or NaN.
-absl::Status CheckRadius(std::string_view field, double radius);
-
 // NOT_FOUND: the answer to be resumed is no longer kept, or was replaced.
 absl::Status AnswerNotKept();
 

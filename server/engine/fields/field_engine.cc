@@ -16,7 +16,7 @@ namespace geodesic::server {
 namespace {
 
 absl::Status CheckReach(const FieldReach& reach, size_t targets) {
-  if (absl::Status status = CheckRadius("radius", reach.radius); !status.ok()) {
+  if (absl::Status status = CheckRadius(reach.radius); !status.ok()) {
     return status;
   }
   if (reach.LimitsTargets() &&
@@ -271,10 +271,12 @@ absl::StatusOr<FieldCall> FieldEngine::Compute(
                .solver_bytes = PlannedSolverBytes(*mesh->mesh, key.field.query),
                .is_on_disk = is_on_disk});
   if (!is_kept && MayBeSearched(key)) {
-    SearchMeans means = searches_.MeansFor(mesh, key.field.query->algorithm);
-    if (key.reach.targets < means.field_in_searches) {
-      job->search = std::move(means);
-      job->solver_bytes = TargetSearch::PlannedBytes(*mesh->mesh);
+    const ValidQuery& searched = key.field.query;
+    LandmarksHandle landmarks = searches_.landmarks().Present(*mesh);
+    if (key.reach.targets <
+        FieldInSearches(searched->algorithm, landmarks.get())) {
+      job->search = std::move(landmarks);
+      job->solver_bytes = TargetSearch::PlannedBytes(*mesh->mesh, searched);
     }
   }
   if (status = CheckCapacity(*job); !status.ok()) return status;
@@ -476,8 +478,8 @@ absl::StatusOr<FieldAnswer> FieldEngine::Search(FieldJob& job,
   Count(&FieldCounters::solves_started);
   checkpoint.Hold(std::move(job.memory));
   absl::StatusOr<TargetDistances> found = Guarded("searched for targets", [&] {
-    return searches_.Run(job.mesh, job.key.field.query, *job.search,
-                         checkpoint);
+    return SearchMeans(searches_, job.mesh)
+        .Search(job.key.field.query, job.search->get(), checkpoint);
   });
   absl::Status status = found.status();
   if (status.ok()) {

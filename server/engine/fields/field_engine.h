@@ -194,8 +194,8 @@ class FieldEngine {
     FieldJobKey key;
     std::optional<MethodHandle> method;       // for an approximate field
     std::shared_ptr<SettledLog> settled_log;  // null: nobody asks for it
-    uint64_t solver_bytes = 0;          // that the solver is planned to take
-    std::optional<SearchMeans> search;  // if the targets are searched for
+    uint64_t solver_bytes = 0;  // that the solver is planned to take
+    std::optional<LandmarksHandle> search;  // if the targets are searched for
 
     // Whether the next run reads the field from the disk.
     bool is_on_disk = false;

@@ -28,7 +28,8 @@ absl::StatusOr<MatrixRow> PathWork::Answer(uint64_t row, Checkpoint& checkpoint,
                                            ByteReservation memory) const {
   constexpr double kUnreached = std::numeric_limits<double>::infinity();
   const PathTracer& tracer = *answer_.derived->paths;
-  MatrixRow result{.memory = std::move(memory)};
+  MatrixRow result;
+  result.memory = std::move(memory);
   TargetReader targets = first_targets_[row];
   const uint64_t end = std::min<uint64_t>(targets.next + kPathsPerRow,
                                           call_.query->targets.size());

@@ -4,6 +4,15 @@
 
 namespace geodesic::server {
 
+absl::StatusOr<MatrixRow> Charge(absl::StatusOr<DistanceRow> row,
+                                 ByteReservation memory) {
+  if (!row.ok()) return row.status();
+  memory.ShrinkTo(row->bytes());
+  absl::Status status = memory.GrowTo(row->bytes());
+  if (!status.ok()) return status;
+  return MatrixRow{*std::move(row), std::move(memory)};
+}
+
 RowPipeline::RowPipeline(SoloJobs& jobs, Scheduler& scheduler, RowJobs plan,
                          uint64_t rows, RowFunction function,
                          std::function<void()> on_row)
@@ -12,7 +21,10 @@ RowPipeline::RowPipeline(SoloJobs& jobs, Scheduler& scheduler, RowJobs plan,
       plan_(std::move(plan)),
       rows_(rows),
       function_(std::move(function)),
-      on_row_(std::move(on_row)) {}
+      on_row_(std::move(on_row)),
+      next_row_(plan_.first_row),
+      next_take_(plan_.first_row),
+      rows_finished_(plan_.first_row) {}
 
 absl::Status RowPipeline::Start() {
   Scheduler::Place place;

@@ -12,12 +12,11 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "geodesic/checkpoint.h"
-#include "geodesic/path.h"
+#include "geodesic/rows/rows.h"
 #include "geodesic/trace.h"
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/base/clock.h"
@@ -25,19 +24,17 @@
 
 namespace geodesic::server {
 
-struct MatrixRow {
+// A row, and the memory that it takes.
+struct MatrixRow : DistanceRow {
   ByteReservation memory;
-  // The column of each value; empty in a dense row.
-  std::vector<uint32_t> columns;
-  std::vector<double> values;
-  // No value is farther from the truth than this part of it; 0 if they are
-  // exact, up to rounding.
-  double certified_error = 0;
-  // Of the values, if they were asked for.
-  std::vector<GeodesicPath> paths;
   // Of a question about straight lines, in place of values.
-  std::vector<TracedLine> lines;
+  std::vector<TracedLine> lines = {};
 };
+
+// The row in the `memory` it was given, of which it keeps what it takes.
+// Errors: its own; as ByteReservation::GrowTo.
+absl::StatusOr<MatrixRow> Charge(absl::StatusOr<DistanceRow> row,
+                                 ByteReservation memory);
 
 // Computes a row in the `memory` it is given. Must be thread-safe, because rows
 // are computed in parallel.
@@ -54,6 +51,8 @@ struct RowJobs {
   bool is_continuation = false;
   JobPriority priority = JobPriority::kRow;
   TimePoint deadline = kNoDeadline;
+  // Rows before this one are not computed.
+  uint64_t first_row = 0;
   // For one row: its solver's memory and its own; see SoloJob.
   uint64_t planned_bytes = 0;
   uint64_t row_bytes = 0;
@@ -67,7 +66,8 @@ class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
   // waits for a thread. `on_row` is called from a job's thread when there may
   // be a row to take. It must be short, and may still be called during Cancel
   // and just after it.
-  // REQUIRES: `jobs` run on `scheduler`, and both outlive the pipeline's jobs.
+  // REQUIRES: there is a row; `jobs` run on `scheduler`, and both outlive the
+  // pipeline's jobs.
   RowPipeline(SoloJobs& jobs, Scheduler& scheduler, RowJobs plan, uint64_t rows,
               RowFunction function, std::function<void()> on_row);
 
@@ -83,7 +83,7 @@ class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
   // No more rows will be taken: running jobs stop at their next poll.
   void Cancel();
 
-  // Totals of the jobs that have ended:
+  // Totals of the jobs that have ended, and of rows that needed none:
   uint64_t rows_finished() const;
   double seconds() const;
   uint64_t windows_propagated() const;
@@ -111,12 +111,12 @@ class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
   std::function<void()> on_row_;
   Scheduler::Place place_;
   bool is_waiting_ = false;  // row next_row_ - 1 waits for a thread
-  uint64_t next_row_ = 0;    // the next to submit
-  uint64_t next_take_ = 0;   // the next to take
+  uint64_t next_row_;        // the next to submit
+  uint64_t next_take_;       // the next to take
   std::map<uint64_t, SoloJobs::Call> running_;
   std::map<uint64_t, MatrixRow> finished_;
   absl::Status failure_;
-  uint64_t rows_finished_ = 0;
+  uint64_t rows_finished_;
   double seconds_ = 0;
   uint64_t windows_propagated_ = 0;
 };

@@ -9,20 +9,16 @@
 #include <optional>
 #include <string>
 
-#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "geodesic/query.h"
-#include "geodesic/solve_options.h"
+#include "geodesic/rows/matrix.h"
 #include "geodesic_types/algorithms.h"
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/base/clock.h"
 #include "server/engine/base/limits.h"
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/jobs/solo_job.h"
-#include "server/engine/jobs/start_function.h"
 #include "server/engine/matrices/matrix_rows.h"
-#include "server/engine/matrices/matrix_work.h"
-#include "server/engine/matrices/row_filter.h"
 #include "server/engine/meshes/mesh_library.h"
 #include "server/engine/meshes/method_store.h"
 #include "server/engine/searches/search_engine.h"
@@ -37,6 +33,10 @@ struct MatrixRequest {
   // If set, rows are computed by this approximate method; targets are vertices.
   std::optional<MethodHandle> method = {};
   RowFilter filter;
+  // How many values of a dense matrix the caller has. Rows that it has as a
+  // whole are left out, but for the last of the matrix, unless columns are
+  // computed.
+  uint64_t received_values = 0;
   TimePoint deadline = kNoDeadline;
   Requester requester;
 };
@@ -45,6 +45,7 @@ struct MatrixCall {
   MeshHandle mesh;
   std::shared_ptr<MatrixRows> rows;
   uint64_t row_count = 0;
+  uint64_t first_row = 0;  // those before are left out
   uint64_t column_count = 0;
   AlgorithmChoice algorithm = kDefaultAlgorithm;  // of the first row
 };
@@ -54,8 +55,7 @@ class MatrixEngine {
  public:
   // REQUIRES: the references outlive the engine, and `scheduler` has no job
   // left when it is destroyed.
-  MatrixEngine(const Limits& limits, const SolveOptions& options,
-               Scheduler& scheduler, SoloJobs& jobs, const StartFunction& start,
+  MatrixEngine(const Limits& limits, Scheduler& scheduler, SoloJobs& jobs,
                std::shared_ptr<ByteBudget> solver_memory, MeshLibrary& meshes,
                SearchEngine& searches);
 
@@ -65,15 +65,12 @@ class MatrixEngine {
                                      std::function<void()> on_row);
 
  private:
-  // Turns the work so that its rows are the columns, if that costs less and
-  // there is memory for the table.
-  std::optional<ColumnTable> Transpose(MatrixWork& work) const;
+  // If columns cost less than rows, and there is memory for the table.
+  std::optional<ColumnTable> Transpose(MatrixQuestion& question) const;
 
   const Limits& limits_;
-  const SolveOptions& options_;
   Scheduler& scheduler_;
   SoloJobs& jobs_;
-  const StartFunction& start_;
   const std::shared_ptr<ByteBudget> solver_memory_;
   MeshLibrary& meshes_;
   SearchEngine& searches_;

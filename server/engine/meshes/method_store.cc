@@ -4,8 +4,6 @@
 #include <utility>
 
 #include "absl/strings/cord.h"
-#include "absl/strings/str_cat.h"
-#include "geodesic_types/field_path.h"
 
 namespace geodesic::server {
 namespace {
@@ -35,23 +33,10 @@ bool IsNotPrepared(const absl::Status& status) {
   return status.GetPayload(kNotPrepared).has_value();
 }
 
-absl::Status NoVertex(ApproximateMethod method, const std::string& field) {
-  return InvalidField(
-      field, absl::StrCat(field, " is no vertex: ",
-                          std::string(ApproximateMethodName(method)),
-                          " is approximate and gives the distances of vertices "
-                          "alone; name a vertex, or ask an exact algorithm"));
-}
-
-absl::Status CheckPlaces(ApproximateMethod method, const Query& query) {
-  absl::Status status = CheckSources(method, query.sources);
-  if (!status.ok()) return status;
-  const std::vector<SurfacePoint>& targets = query.targets;
-  for (size_t t = 0; t < targets.size(); ++t) {
-    if (std::holds_alternative<VertexPoint>(targets[t])) continue;
-    return NoVertex(method, absl::StrCat("targets[", t, "]"));
-  }
-  return absl::OkStatus();
+std::optional<RowMethod> RowMethodOf(
+    const std::optional<MethodHandle>& method) {
+  if (!method.has_value()) return std::nullopt;
+  return RowMethod{method->choice.method, method->method};
 }
 
 MethodHandle MethodStore::ToHandle(const MeshHandle& mesh,

@@ -15,7 +15,7 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "geodesic/approximate/prepare.h"
-#include "geodesic/query.h"
+#include "geodesic/rows/rows.h"
 #include "geodesic_types/algorithms.h"
 #include "server/engine/base/lru_store.h"
 #include "server/engine/meshes/mesh_catalogue.h"
@@ -38,11 +38,8 @@ struct MethodHandle {
 absl::Status CheckPrepared(const std::optional<MethodHandle>& method);
 bool IsNotPrepared(const absl::Status& status);
 
-// INVALID_ARGUMENT: this field of a request is no vertex, and approximate
-// methods know nothing else.
-absl::Status NoVertex(ApproximateMethod method, const std::string& field);
-// Errors: as CheckSources; NoVertex for the first target that is none.
-absl::Status CheckPlaces(ApproximateMethod method, const Query& query);
+// As the rows of a question take it (geodesic/rows/rows.h).
+std::optional<RowMethod> RowMethodOf(const std::optional<MethodHandle>& method);
 
 // Thread-safe. See LruStore for what is kept and what is evicted.
 class MethodStore {

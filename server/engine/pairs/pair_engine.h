@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "geodesic/solve_options.h"
+#include "geodesic/rows/pairs.h"
 #include "geodesic_types/algorithms.h"
 #include "server/engine/base/clock.h"
 #include "server/engine/base/limits.h"
@@ -20,7 +20,6 @@
 #include "server/engine/jobs/solo_job.h"
 #include "server/engine/meshes/mesh_library.h"
 #include "server/engine/meshes/method_store.h"
-#include "server/engine/pairs/pair_plan.h"
 #include "server/engine/pairs/pair_work.h"
 #include "server/engine/searches/search_engine.h"
 
@@ -56,8 +55,7 @@ class PairEngine {
  public:
   // REQUIRES: the references outlive the engine, and `scheduler` has no job
   // left when it is destroyed.
-  PairEngine(const Limits& limits, const SolveOptions& options,
-             Scheduler& scheduler, SoloJobs& jobs, const StartFunction& start,
+  PairEngine(const Limits& limits, Scheduler& scheduler, SoloJobs& jobs,
              MeshLibrary& meshes, SearchEngine& searches, FieldEngine& fields);
 
   // Starts to compute the distances of all pairs; see RowPipeline for `on_row`.
@@ -69,10 +67,8 @@ class PairEngine {
 
  private:
   const Limits& limits_;
-  const SolveOptions& options_;
   Scheduler& scheduler_;
   SoloJobs& jobs_;
-  const StartFunction& start_;
   MeshLibrary& meshes_;
   SearchEngine& searches_;
   FieldEngine& fields_;

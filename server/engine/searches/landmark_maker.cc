@@ -167,8 +167,8 @@ absl::StatusOr<bool> LandmarkMaker::Step(const MeshHandle& mesh,
   }
   Landmarks& landmarks = *work_.landmarks;
   if (!landmarks.HasEnough(Landmarks::kMost)) {
-    absl::StatusOr<ByteReservation> memory =
-        ByteReservation::Make(solver_memory_, PlannedBytes(*mesh->mesh));
+    absl::StatusOr<ByteReservation> memory = ByteReservation::Make(
+        solver_memory_, Landmarks::PlannedMakingBytes(*mesh->mesh));
     if (!memory.ok()) return memory.status();
     CourteousCheckpoint checkpoint(clock_, scheduler_, stop, meshes_.store(),
                                    mesh->digest, *memory,
@@ -229,13 +229,6 @@ absl::StatusOr<bool> LandmarkMaker::Load(const MeshHandle& mesh) {
   if (!work->is_stored) return false;
   Publish(*mesh, *std::move(work));
   return true;
-}
-
-uint64_t LandmarkMaker::PlannedBytes(const Mesh& mesh) {
-  const absl::StatusOr<ValidQuery> query =
-      ValidQuery::Make({.sources = {{VertexPoint{0}}}}, mesh);
-  return (query.ok() ? PlannedSolverBytes(mesh, *query) : 0) +
-         DistanceBytes(mesh);
 }
 
 absl::StatusOr<LandmarkMaker::Work> LandmarkMaker::Begin(

@@ -61,13 +61,10 @@ class LandmarkMaker {
 
   // Makes what is missing of `count` landmarks, or none if there is no room for
   // them, on the calling thread: for a question that is long enough to pay for
-  // them. Takes PlannedBytes. False: first the disk is looked at, on a thread
-  // of its own; call again later. Errors: the checkpoint's.
+  // them. Takes Landmarks::PlannedMakingBytes. False: first the disk is looked
+  // at, on a thread of its own; call again later. Errors: the checkpoint's.
   absl::StatusOr<bool> MakeNow(const MeshHandle& mesh, uint32_t count,
                                Checkpoint& checkpoint);
-
-  // Of the solver's memory.
-  static uint64_t PlannedBytes(const Mesh& mesh);
 
   // Drops what the disk keeps of a mesh that is gone. Waits for the disk.
   void EraseMesh(const std::string& digest);

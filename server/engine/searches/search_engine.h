@@ -4,14 +4,16 @@
 #ifndef GEODESIC_SERVER_ENGINE_SEARCHES_SEARCH_ENGINE_H_
 #define GEODESIC_SERVER_ENGINE_SEARCHES_SEARCH_ENGINE_H_
 
-#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
-#include <span>
+#include <utility>
 
+#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "geodesic/checkpoint.h"
-#include "geodesic/path.h"
+#include "geodesic/computation.h"
+#include "geodesic/rows/rows.h"
 #include "geodesic/solve_options.h"
 #include "geodesic/target_search.h"
 #include "geodesic/valid_query.h"
@@ -29,17 +31,7 @@
 
 namespace geodesic::server {
 
-// A search that is not directed (see TargetSearch) is a field itself.
-inline constexpr size_t kFieldInUndirectedSearches = 2;
-
-// What helps the searches of a question.
-struct SearchMeans {
-  LandmarksHandle landmarks;  // may be null
-  // From so many searches on, a field costs less.
-  size_t field_in_searches = kFieldInUndirectedSearches;
-};
-
-// Thread-safe. No call but Run waits for anything.
+// Thread-safe. No call waits for anything.
 class SearchEngine {
  public:
   // REQUIRES: the references outlive the engine, and `scheduler` has no job
@@ -49,31 +41,52 @@ class SearchEngine {
                const std::shared_ptr<ByteBudget>& solver_memory,
                const StartFunction& start, MeshLibrary& meshes);
 
-  // For searches with the algorithm that runs. Says that landmarks of the mesh
-  // are wanted, if they are of use.
-  SearchMeans MeansFor(const MeshHandle& mesh, Algorithm algorithm);
-
-  // Runs one search, with a memory from the pool. Errors: as TargetSearch::Run.
-  absl::StatusOr<TargetDistances> Run(const MeshHandle& mesh,
-                                      const ValidQuery& query,
-                                      const SearchMeans& means,
-                                      Checkpoint& checkpoint);
-
-  // Bytes to reserve before a search starts.
-  static uint64_t PlannedBytes(const Mesh& mesh, const ValidQuery& query);
-
   LandmarkMaker& landmarks() { return landmarks_; }
   const LandmarkMaker& landmarks() const { return landmarks_; }
   SearchPool& pool() { return *pool_; }
   const SearchPool& pool() const { return *pool_; }
 
+  // A computation on one thread. Errors: as StartComputation.
+  absl::StatusOr<std::unique_ptr<Computation>> Start(
+      const Mesh& mesh, const ValidQuery& query) const {
+    return start_(mesh, query, options_);
+  }
+
  private:
+  const SolveOptions options_;
+  const StartFunction start_;
   LandmarkMaker landmarks_;
   const std::shared_ptr<SearchPool> pool_;
 };
 
-// What paths take in memory. O(paths).
-uint64_t BytesOf(std::span<const GeodesicPath> paths);
+// What the rows about a mesh are answered with. Thread-safe. Pins the mesh.
+class SearchMeans : public RowMeans {
+ public:
+  // REQUIRES: `searches` outlives it.
+  SearchMeans(SearchEngine& searches, MeshHandle mesh)
+      : searches_(searches), mesh_(std::move(mesh)) {}
+
+  const MeshHandle& mesh() const { return mesh_; }
+
+  LandmarksHandle landmarks() override {
+    return searches_.landmarks().Present(*mesh_);
+  }
+  absl::StatusOr<bool> MakeLandmarks(uint32_t count,
+                                     Checkpoint& checkpoint) override {
+    return searches_.landmarks().MakeNow(mesh_, count, checkpoint);
+  }
+  void WantLandmarks() override { searches_.landmarks().Want(mesh_); }
+  absl::Status WithSearch(
+      const std::function<absl::Status(TargetSearch&)>& work) override;
+  absl::StatusOr<std::unique_ptr<Computation>> Start(
+      const ValidQuery& query) override {
+    return searches_.Start(*mesh_->mesh, query);
+  }
+
+ private:
+  SearchEngine& searches_;
+  const MeshHandle mesh_;
+};
 
 }  // namespace geodesic::server
 

@@ -17,6 +17,7 @@
 #include "geodesic/checkpoint.h"
 #include "geodesic/distance_field.h"
 #include "geodesic/query.h"
+#include "geodesic/rows/pairs.h"
 #include "geodesic/surface_point.h"
 #include "geodesic/trace.h"
 #include "geodesic/v1/answer.pb.h"
@@ -31,7 +32,6 @@
 #include "server/engine/meshes/mesh_catalogue.h"
 #include "server/engine/meshes/mesh_store.h"
 #include "server/engine/meshes/method_store.h"
-#include "server/engine/pairs/pair_plan.h"
 #include "server/engine/pairs/pair_work.h"
 
 namespace geodesic::server {

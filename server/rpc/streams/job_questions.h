@@ -13,7 +13,6 @@
 #include <utility>
 #include <vector>
 
-#include "absl/functional/any_invocable.h"
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "absl/strings/str_cat.h"
@@ -37,11 +36,9 @@ class JobQuestion : public AnswerStream<Request> {
   using AnswerStream<Request>::AnswerStream;
 
  protected:
-  // The work of the job. It charges `memory` with the result.
-  using Work = absl::AnyInvocable<absl::StatusOr<Result>(
-      const Mesh&, const ValidQuery&, const SolveOptions&, Checkpoint&,
-      ByteReservation& memory)>;
-  virtual absl::StatusOr<Work> MakeWork() = 0;
+  // What the job does; it sets `result`. Errors: INVALID_ARGUMENT.
+  using Work = decltype(QuestionRequest::work);
+  virtual absl::StatusOr<Work> MakeWork(std::shared_ptr<Result> result) = 0;
   // Announces the arrays.
   virtual void Announce() = 0;
   // Whether all was put, as AnswerWriter::Put.
@@ -49,22 +46,14 @@ class JobQuestion : public AnswerStream<Request> {
 
  private:
   absl::Status AskEngine() final {
-    absl::StatusOr<Work> work = MakeWork();
-    if (!work.ok()) return work.status();
     QuestionRequest question;
     this->BeginQuestion(question);
+    absl::StatusOr<Work> work = MakeWork(result_);
+    if (!work.ok()) return work.status();
+    question.work = *std::move(work);
     absl::Status status = AddSources(this->request().sources(),
                                      this->engine().limits(), question.query);
     if (!status.ok()) return status;
-    question.work = [result = result_, work = *std::move(work)](
-                        const Mesh& mesh, const ValidQuery& query,
-                        const SolveOptions& options, Checkpoint& checkpoint,
-                        ByteReservation& memory) mutable {
-      absl::StatusOr<Result> found =
-          work(mesh, query, options, checkpoint, memory);
-      if (found.ok()) *result = *std::move(found);
-      return found.status();
-    };
     question.done = [self = this->Shared(this)](const JobReport& report) {
       self->Update([&] { self->report_ = report; });
     };
@@ -104,25 +93,24 @@ class IsolineStream final
   using JobQuestion::JobQuestion;
 
  private:
-  absl::StatusOr<Work> MakeWork() override {
+  absl::StatusOr<Work> MakeWork(
+      std::shared_ptr<std::vector<Isoline>> result) override {
     absl::Status status = CheckRequest();
     if (!status.ok()) return status;
     IsolineOptions isolines{
         .levels = {request().levels().begin(), request().levels().end()},
         .chord_error = request().chord_error()};
-    return
-        [isolines = std::move(isolines)](
-            const Mesh& mesh, const ValidQuery& query,
-            const SolveOptions& options, Checkpoint& checkpoint,
-            ByteReservation& memory) -> absl::StatusOr<std::vector<Isoline>> {
-          absl::StatusOr<std::vector<Isoline>> found =
-              geodesic::ComputeIsolines(mesh, query, isolines, options,
-                                        checkpoint);
-          if (!found.ok()) return found;
-          absl::Status room = memory.GrowTo(BytesOf(*found));
-          if (!room.ok()) return room;
-          return found;
-        };
+    return [isolines = std::move(isolines), result = std::move(result)](
+               const Mesh& mesh, const ValidQuery& query,
+               const SolveOptions& options, Checkpoint& checkpoint,
+               ByteReservation& memory) {
+      absl::StatusOr<std::vector<Isoline>> found =
+          geodesic::ComputeIsolines(mesh, query, isolines, options, checkpoint);
+      if (!found.ok()) return found.status();
+      absl::Status room = memory.GrowTo(BytesOf(*found));
+      if (room.ok()) *result = *std::move(found);
+      return room;
+    };
   }
 
   absl::Status CheckRequest() {
@@ -186,7 +174,8 @@ class SampleStream final : public JobQuestion<v1::SampleFarthestPointsRequest,
   using JobQuestion::JobQuestion;
 
  private:
-  absl::StatusOr<Work> MakeWork() override {
+  absl::StatusOr<Work> MakeWork(
+      std::shared_ptr<std::vector<FarthestSample>> result) override {
     const uint64_t count = request().count();
     if (count == 0) {
       return InvalidField("count", "count is 0; it must be at least 1");
@@ -194,16 +183,18 @@ class SampleStream final : public JobQuestion<v1::SampleFarthestPointsRequest,
     absl::Status status = CheckCount("samples", count, "max_samples",
                                      engine().limits().max_samples);
     if (!status.ok()) return status;
-    return [count](const Mesh& mesh, const ValidQuery& query,
-                   const SolveOptions& options, Checkpoint& checkpoint,
-                   ByteReservation& memory)
-               -> absl::StatusOr<std::vector<FarthestSample>> {
+    return [count, result = std::move(result)](
+               const Mesh& mesh, const ValidQuery& query,
+               const SolveOptions& options, Checkpoint& checkpoint,
+               ByteReservation& memory) {
       absl::Status room =
           memory.GrowTo(std::min<uint64_t>(count, mesh.vertex_count()) *
                         sizeof(FarthestSample));
       if (!room.ok()) return room;
-      return geodesic::SampleFarthestPoints(
+      auto found = geodesic::SampleFarthestPoints(
           mesh, query, static_cast<uint32_t>(count), options, checkpoint);
+      if (found.ok()) *result = *std::move(found);
+      return found.status();
     };
   }
 

@@ -1,15 +1,39 @@
 #include "server/rpc/streams/mesh_streams.h"
 
+#include <algorithm>
+#include <bit>
+#include <cstring>
 #include <mutex>
 #include <string>
 #include <utility>
 
+#include "geodesic/triangle_soup.h"
 #include "geodesic_types/field_path.h"
 #include "server/rpc/messages/translation.h"
-#include "server/rpc/streams/array_chunks.h"
 
 namespace geodesic::server {
 namespace {
+
+static_assert(std::endian::native == std::endian::little);
+static_assert(sizeof(Point) == 24 && sizeof(Triangle) == 12 &&
+              sizeof(JoinedVertex) == 8);
+
+constexpr uint64_t kChunkBytes = uint64_t{512} << 10;
+
+// Copies one chunk of the `count` items that `item` gives, from `begin` on;
+// returns where the next chunk begins.
+template <typename Item>
+uint64_t FillChunk(uint64_t count, uint64_t begin, Item item,
+                   std::string& bytes) {
+  constexpr size_t kItemBytes = sizeof(item(0));
+  const uint64_t end = std::min(begin + kChunkBytes / kItemBytes, count);
+  bytes.resize((end - begin) * kItemBytes);
+  char* to = bytes.data();
+  for (uint64_t i = begin; i < end; ++i, to += kItemBytes) {
+    std::memcpy(to, &item(i), kItemBytes);
+  }
+  return end;
+}
 
 // The memory that the mesh will take, as far as the header tells. A file's need
 // is only known when it is parsed, so its size is used instead.

@@ -113,6 +113,9 @@ class RowStream final : public RowQuestion<Request, MatrixCall> {
     if (!status.ok()) return status;
     if (request.has_radius()) question.filter.radius = request.radius();
     is_sparse_ = kIsNearest || question.filter.sparse;
+    if (!is_sparse_ && request.resumption().received_size() > 0) {
+      question.received_values = request.resumption().received(0);
+    }
     absl::StatusOr<MatrixCall> call =
         this->engine().matrices().Compute(std::move(question), this->OnRow());
     if (!call.ok()) return call.status();
@@ -133,6 +136,8 @@ class RowStream final : public RowQuestion<Request, MatrixCall> {
       distance_ = writer.Announce("distance", type, {-1});
     } else {
       distance_ = writer.Announce("distance", type, {rows, columns});
+      rows_ = this->call().first_row;
+      end_ = rows_ * this->call().column_count;
     }
   }
 
@@ -161,7 +166,7 @@ class RowStream final : public RowQuestion<Request, MatrixCall> {
   uint32_t distance_ = 0;
 
   // Guarded by the stream's lock:
-  uint64_t rows_ = 0;   // that were taken
+  uint64_t rows_ = 0;   // that were taken, or left out
   uint64_t first_ = 0;  // value of the last of them
   uint64_t end_ = 0;
 };

@@ -3,14 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "geodesic/rows/kept_searches.h"
+#include "geodesic/rows/matrix.h"
 #include "geodesic/surface_point.h"
 #include "tests/engine/engine_fixture.h"
 #include "tests/support/planar_meshes.h"
@@ -19,8 +19,6 @@ namespace geodesic::server {
 namespace {
 
 using geodesic::test::MakeGrid;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 class TransposedMatrixTest : public test::EngineTest {
  protected:
@@ -125,71 +123,37 @@ TEST_F(TransposedMatrixTest, TakesAFieldForEachTarget) {
   EXPECT_EQ(engine_.solver_memory().used(), 0);
 }
 
-TEST_F(TransposedMatrixTest, FindsTheNearestOfEachSource) {
-  MatrixRequest request = Request(45, kTargets);
-  // One of the two that are equally near is named: the first.
-  request.query.targets.push_back(VertexPoint{120});
-  request.filter.nearest = 2;
-  const std::vector<MatrixRow> rows = Rows(request);
-  EXPECT_EQ(fields_, request.query.targets.size());
-  for (size_t row = 0; row < rows.size(); ++row) {
-    std::vector<uint32_t> order{0, 1, 2, 3};
-    std::ranges::stable_sort(order, {}, [&](uint32_t column) {
-      return Expected(request, row, column);
-    });
-    order.resize(2);
-    EXPECT_EQ(rows[row].columns, order) << row;
-    EXPECT_NEAR(rows[row].values[0], Expected(request, row, order[0]), 1e-12);
-  }
-}
-
-TEST_F(TransposedMatrixTest, KeepsTheRadius) {
-  MatrixRequest request = Request(45, kTargets);
-  request.filter = {.radius = 3, .sparse = true};
-  const std::vector<MatrixRow> sparse = Rows(request);
-  EXPECT_EQ(fields_, kTargets.size());
-  request.filter.sparse = false;
-  const std::vector<MatrixRow> dense = Rows(request);
-  for (size_t row = 0; row < sparse.size(); ++row) {
-    std::vector<uint32_t> within;
-    for (uint32_t column = 0; column < kTargets.size(); ++column) {
-      const double expected = Expected(request, row, column);
-      if (expected <= 3) {
-        within.push_back(column);
-        EXPECT_NEAR(dense[row].values[column], expected, 1e-12);
-      } else {
-        EXPECT_EQ(dense[row].values[column], kInfinity);
+// Whoever links the core alone has them from the same question.
+TEST_F(TransposedMatrixTest, HasTheBitsOfTheCore) {
+  KeptSearches searches(*mesh_->mesh);
+  NoCheckpoint checkpoint;
+  for (const uint32_t sources : {3, 40}) {
+    for (const RowFilter& filter :
+         {RowFilter(), RowFilter{.radius = 3, .sparse = true},
+          RowFilter{.nearest = 2}}) {
+      MatrixRequest request = Request(sources, kTargets);
+      request.filter = filter;
+      MatrixQuestion question =
+          MatrixQuestion::Make(*mesh_->mesh,
+                               *ValidQuery::Make(request.query, *mesh_->mesh),
+                               filter, {}, searches)
+              .value();
+      if (question.TransposingPays()) question.Transpose();
+      MatrixTable table(question);
+      std::vector<DistanceRow> wanted;
+      for (uint64_t line = 0; line < question.lines(); ++line) {
+        wanted.push_back(question.Answer(line, checkpoint).value());
+        if (question.is_transposed()) table.Add(line, wanted.back());
+      }
+      const std::vector<MatrixRow> rows = Rows(request);
+      for (size_t row = 0; row < rows.size(); ++row) {
+        const DistanceRow expected =
+            question.is_transposed() ? table.Row(row) : wanted[row];
+        EXPECT_EQ(rows[row].columns, expected.columns);
+        EXPECT_EQ(rows[row].values, expected.values);
       }
     }
-    EXPECT_EQ(sparse[row].columns, within) << row;
   }
-}
-
-TEST_F(TransposedMatrixTest, CertifiesATolerance) {
-  MatrixRequest request = Request(40, kTargets);
-  request.query.tolerance = 1e-2;
-  const std::vector<MatrixRow> rows = Rows(request);
-  EXPECT_EQ(fields_, kTargets.size());
-  for (size_t row = 0; row < rows.size(); ++row) {
-    EXPECT_LE(rows[row].certified_error, 1e-2);
-    for (size_t column = 0; column < kTargets.size(); ++column) {
-      const double expected = Expected(request, row, column);
-      EXPECT_NEAR(rows[row].values[column], expected,
-                  (rows[row].certified_error + 1e-12) * expected);
-    }
-  }
-}
-
-TEST_F(TransposedMatrixTest, AsManyTargetsOrACurveTakeAFieldForEachSource) {
-  std::vector<SurfacePoint> many;
-  for (uint32_t v = 0; v < 20; ++v) many.push_back(VertexPoint{100 + v});
-  Rows(Request(20, many));
-  EXPECT_EQ(fields_, 20);
-  MatrixRequest curve = Request(40, kTargets);
-  curve.query.sources[7].place = Curve{{VertexPoint{0}, VertexPoint{1}}};
-  Rows(curve);
-  EXPECT_EQ(fields_, 1);
-  EXPECT_GT(engine_.searches().pool().idle(), 0);
 }
 
 TEST_F(TransposedMatrixTest, GivesItsMemoryBackWhenNobodyWaits) {

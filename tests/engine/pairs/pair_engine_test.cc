@@ -4,17 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "geodesic/rows/kept_searches.h"
+#include "geodesic/rows/pairs.h"
 #include "geodesic_types/field_path.h"
 #include "server/engine/pairs/pair_order.h"
 #include "tests/engine/engine_fixture.h"
-#include "tests/support/mesh_edits.h"
+#include "tests/support/curved_meshes.h"
 #include "tests/support/planar_meshes.h"
 
 namespace geodesic::server {
@@ -114,24 +115,11 @@ TEST_F(PairEngineTest, SearchesPairsOfAnyPoints) {
                 {on_edge, in_face},
                 {VertexPoint{9}, VertexPoint{9}},
                 {in_face, in_face}});
+  EXPECT_EQ(call_.algorithm, AlgorithmChoice(Algorithm::kFwpList));
   EXPECT_EQ(counts().searched, 5);
   EXPECT_EQ(counts().all(), 5);
   EXPECT_GT(call_.rows->windows_propagated(), 0);
   EXPECT_EQ(engine_.counters().pairs.searched, 5);
-}
-
-TEST_F(PairEngineTest, AFieldAnswersManyThatShareAnEnd) {
-  std::vector<PointPair> pairs;
-  const FacePoint shared{100, {0.5, 0.25, 0.25}};
-  for (uint32_t i = 0; i < kFieldInSearches; ++i) {
-    const VertexPoint vertex{7 * i};
-    pairs.push_back({VertexPoint{i}, VertexPoint{120 - i}});
-    pairs.push_back(i % 2 == 0 ? PointPair{shared, vertex}
-                               : PointPair{vertex, shared});
-  }
-  ExpectEuclid(pairs);
-  EXPECT_EQ(counts().searched, kFieldInSearches);
-  EXPECT_EQ(counts().from_fields, kFieldInSearches);
 }
 
 TEST_F(PairEngineTest, AFieldInTheCacheAnswersBothWays) {
@@ -157,30 +145,40 @@ TEST_F(PairEngineTest, AFieldInTheCacheAnswersBothWays) {
   EXPECT_EQ(counts().from_cache, 50);
 }
 
-TEST_F(PairEngineTest, TellsThatNoPathLeads) {
-  // Edges of the same length would be joined.
-  Hold(geodesic::test::Join(
-      MakeGrid({.columns = 3, .rows = 3}),
-      geodesic::test::Scale(MakeGrid({.columns = 3, .rows = 3}), 1.5)));
-  const auto distances = Ask(
-      {{VertexPoint{0}, VertexPoint{20}}, {VertexPoint{0}, VertexPoint{1}}});
-  ASSERT_TRUE(distances.ok()) << distances.status();
-  EXPECT_EQ((*distances)[0], std::numeric_limits<double>::infinity());
-  EXPECT_DOUBLE_EQ((*distances)[1], 1);
+TEST_F(PairEngineTest, AFieldAnswersManyThatShareAnEnd) {
+  std::vector<PointPair> star;
+  for (uint32_t i = 0; i < kFieldInSearches; ++i) {
+    star.push_back({EdgePoint{3, 4, 0.5}, VertexPoint{i}});
+  }
+  ExpectEuclid(star);
+  EXPECT_EQ(counts().from_fields, kFieldInSearches);
+  EXPECT_EQ(engine_.counters().pairs.from_fields, kFieldInSearches);
 }
 
-// They allow no directed search.
-TEST_F(PairEngineTest, OnFacesWithoutAreaTwoThatShareAnEndGetAField) {
-  Hold(geodesic::test::InsertZeroAreaFaces(MakeGrid({.columns = 4, .rows = 4}),
-                                           2, 1));
-  const auto distances = Ask({{VertexPoint{6}, VertexPoint{8}},
-                              {VertexPoint{9}, VertexPoint{11}},
-                              {VertexPoint{8}, VertexPoint{9}}});
+// Whoever links the core alone has them from the same question.
+TEST_F(PairEngineTest, HasTheBitsOfTheCore) {
+  Hold(geodesic::test::Terrain(30, 30, /*roughness=*/0.5, /*seed=*/7));
+  std::vector<PointPair> pairs;
+  for (uint32_t i = 0; i < kFieldInSearches; ++i) {
+    pairs.push_back({VertexPoint{i}, FacePoint{900 + i, {0.2, 0.3, 0.5}}});
+    pairs.push_back({EdgePoint{40, 41, 0.25}, VertexPoint{900 - 7 * i}});
+  }
+  const auto distances = Ask(pairs);
   ASSERT_TRUE(distances.ok()) << distances.status();
-  EXPECT_NE(call_.algorithm, AlgorithmChoice(Algorithm::kFwpList));
-  EXPECT_EQ(counts().from_fields, 2);
-  EXPECT_EQ(counts().searched, 1);
-  for (const double d : *distances) EXPECT_GT(d, 0);
+  EXPECT_EQ(counts().searched, kFieldInSearches);
+  EXPECT_EQ(counts().from_fields, kFieldInSearches);
+  const Mesh& mesh = *call_.mesh->mesh;
+  KeptSearches searches(mesh);
+  NoCheckpoint checkpoint;
+  const auto question = PairQuestion::Make(mesh, pairs, {}, searches, 1);
+  ASSERT_TRUE(question.ok()) << question.status();
+  for (uint64_t row = 0; row < (*question)->rows().size(); ++row) {
+    const auto found = (*question)->Answer(row, checkpoint);
+    ASSERT_TRUE(found.ok()) << found.status();
+    for (size_t i = 0; i < found->values.size(); ++i) {
+      EXPECT_EQ((*distances)[found->columns[i]], found->values[i]);
+    }
+  }
 }
 
 TEST_F(PairEngineTest, WrongPairsAreNamed) {

@@ -168,26 +168,5 @@ TEST_F(SmallMatrixTest, EachTargetIsSearchedFor) {
   }
 }
 
-TEST_F(SmallMatrixTest, TheNearestOfTwoIsSearchedFor) {
-  MatrixRequest request = From({0}, {VertexPoint{120}, VertexPoint{13}});
-  request.filter.nearest = 1;
-  const std::vector<MatrixRow> rows = Rows(std::move(request));
-  EXPECT_GT(searches(), 0);
-  EXPECT_EQ(rows[0].columns, std::vector<uint32_t>{1});
-}
-
-TEST_F(SmallMatrixTest, ARadiusOrTheNearestOfMoreTakesAField) {
-  MatrixRequest within = From({0}, {VertexPoint{120}, VertexPoint{13}});
-  within.filter.radius = 4;
-  const std::vector<MatrixRow> rows = Rows(std::move(within));
-  EXPECT_TRUE(std::isinf(rows[0].values[0]));
-  std::vector<SurfacePoint> six;
-  for (uint32_t i = 0; i < 6; ++i) six.push_back(VertexPoint{13 + i});
-  MatrixRequest nearest = From({0}, std::move(six));
-  nearest.filter.nearest = 1;
-  Rows(std::move(nearest));
-  EXPECT_EQ(searches(), 0);
-}
-
 }  // namespace
 }  // namespace geodesic::server

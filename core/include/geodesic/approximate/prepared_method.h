@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "absl/status/status.h"
@@ -30,6 +31,11 @@ struct ApproximateField {
 // curve, and with heat one that has an offset.
 absl::Status CheckSources(ApproximateMethod method,
                           std::span<const Source> sources);
+// INVALID_ARGUMENT: the place of this path is no vertex, and no method gives
+// the distance of anything else.
+absl::Status NoVertex(ApproximateMethod method, const std::string& path);
+// Errors: as CheckSources; NoVertex for the first target that is none.
+absl::Status CheckPlaces(ApproximateMethod method, const Query& query);
 
 // Immutable: const functions are thread-safe, and many may run at once. The
 // mesh that it was made of must outlive it.

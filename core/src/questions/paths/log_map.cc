@@ -11,6 +11,7 @@
 
 #include "absl/status/status.h"
 #include "absl/strings/str_cat.h"
+#include "geodesic/computation.h"
 #include "geodesic_types/field_path.h"
 #include "questions/paths/straight_piece.h"
 #include "questions/paths/traced_field.h"
@@ -85,10 +86,8 @@ class Departures {
 absl::StatusOr<LogMap> ComputeLogMap(const Mesh& mesh, const ValidQuery& query,
                                      const DistanceField& field, double radius,
                                      Checkpoint& checkpoint) {
-  if (!(radius >= 0)) {
-    return InvalidField(
-        "radius", absl::StrCat("radius ", radius, " is not a number >= 0"));
-  }
+  absl::Status status = CheckRadius(radius);
+  if (!status.ok()) return status;
   absl::StatusOr<TracedField> traced = TracedField::Create(mesh, query, field);
   if (!traced.ok()) return traced.status();
   const std::vector<Source>& sources = query->sources;

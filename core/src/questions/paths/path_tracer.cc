@@ -30,6 +30,15 @@ SurfacePoint NamedAnywhere(const SurfacePoint& point, const Mesh& mesh) {
 
 }  // namespace
 
+uint64_t BytesOf(std::span<const GeodesicPath> paths) {
+  uint64_t bytes = paths.size_bytes();
+  for (const GeodesicPath& path : paths) {
+    bytes += path.points.capacity() * sizeof(SurfacePoint) +
+             path.positions.capacity() * sizeof(Point);
+  }
+  return bytes;
+}
+
 absl::StatusOr<GeodesicPath> TracePath(const TracedField& field, PathEnd end,
                                        double distance, WorkMeter& meter) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

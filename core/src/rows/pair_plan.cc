@@ -1,9 +1,10 @@
-#include "server/engine/pairs/pair_plan.h"
+#include "rows/pair_plan.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
-namespace geodesic::server {
+namespace geodesic {
 namespace {
 
 struct End {
@@ -46,7 +47,10 @@ std::vector<std::span<const End>> CommonEnds(std::span<const End> ends,
 
 std::vector<PairRow> PlanPairs(std::span<const PointPair> pairs,
                                const PairCosts& costs) {
-  const std::vector<End> ends = SortedEnds(pairs);
+  // No end is that of more pairs than there are.
+  const std::vector<End> ends = costs.least_for_field <= pairs.size()
+                                    ? SortedEnds(pairs)
+                                    : std::vector<End>();
   std::vector<PairRow> rows;
   std::vector<bool> has_row(pairs.size());
   for (const auto& group : CommonEnds(ends, costs.least_for_field)) {
@@ -72,4 +76,4 @@ std::vector<PairRow> PlanPairs(std::span<const PointPair> pairs,
   return rows;
 }
 
-}  // namespace geodesic::server
+}  // namespace geodesic

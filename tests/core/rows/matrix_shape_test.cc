@@ -1,17 +1,11 @@
-#include "geodesic/matrix_rows.h"
+#include "rows/matrix_shape.h"
 
 #include <gtest/gtest.h>
-
-#include <cstdint>
-#include <limits>
-#include <vector>
 
 namespace geodesic {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-TEST(MatrixRowsTest, SearchingPaysForFewTargets) {
+TEST(MatrixShapeTest, SearchingPaysForFewTargets) {
   EXPECT_TRUE(
       SearchingPays({.targets = 3, .wanted = 3, .field_in_searches = 12}));
   EXPECT_FALSE(
@@ -24,7 +18,7 @@ TEST(MatrixRowsTest, SearchingPaysForFewTargets) {
   EXPECT_FALSE(SearchingPays({.targets = 1, .wanted = 1}));
 }
 
-TEST(MatrixRowsTest, TransposingPaysForFewTargetsOfManySources) {
+TEST(MatrixShapeTest, TransposingPaysForFewTargetsOfManySources) {
   EXPECT_TRUE(TransposingPays({.sources = 1000, .targets = 3, .wanted = 3}));
   EXPECT_TRUE(TransposingPays(
       {.sources = 1000, .targets = 3, .wanted = 3, .field_in_searches = 76}));
@@ -37,14 +31,6 @@ TEST(MatrixRowsTest, TransposingPaysForFewTargetsOfManySources) {
   // The nearest of many is found by a small part of a field.
   EXPECT_TRUE(TransposingPays({.sources = 1000, .targets = 20, .wanted = 1}));
   EXPECT_FALSE(TransposingPays({.sources = 1000, .targets = 40, .wanted = 1}));
-}
-
-TEST(MatrixRowsTest, NearestComeInOrderAndEqualOnesByNumber) {
-  const std::vector<double> values{3, kInfinity, 1, 2, 1};
-  EXPECT_EQ(NearestOf(values, 1), (std::vector<uint32_t>{2}));
-  EXPECT_EQ(NearestOf(values, 3), (std::vector<uint32_t>{2, 4, 3}));
-  EXPECT_EQ(NearestOf(values, 9), (std::vector<uint32_t>{2, 4, 3, 0}));
-  EXPECT_TRUE(NearestOf({}, 9).empty());
 }
 
 }  // namespace

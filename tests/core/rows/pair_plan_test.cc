@@ -1,13 +1,11 @@
-#include "server/engine/pairs/pair_plan.h"
+#include "rows/pair_plan.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <vector>
 
-#include "server/engine/pairs/pair_order.h"
-
-namespace geodesic::server {
+namespace geodesic {
 namespace {
 
 PointPair Vertices(uint32_t source, uint32_t target) {
@@ -57,21 +55,5 @@ TEST(PairPlan, CountsAPairOnce) {
   EXPECT_EQ(rows[1].pairs, std::vector<uint32_t>{3});
 }
 
-TEST(PairOrder, GivesDistancesInOrderWithoutGaps) {
-  PairOrder order(4);
-  const auto known = [&] {
-    return std::vector(order.known().begin(), order.known().end());
-  };
-  EXPECT_EQ(known(), std::vector<double>());
-  order.Add({.columns = {1, 3}, .values = {10, 30}});
-  EXPECT_EQ(known(), std::vector<double>());
-  order.Add({.columns = {0}, .values = {0}});
-  EXPECT_EQ(known(), (std::vector<double>{0, 10}));
-  EXPECT_FALSE(order.is_whole());
-  order.Add({.columns = {2}, .values = {20}});
-  EXPECT_EQ(known(), (std::vector<double>{0, 10, 20, 30}));
-  EXPECT_TRUE(order.is_whole());
-}
-
 }  // namespace
-}  // namespace geodesic::server
+}  // namespace geodesic
