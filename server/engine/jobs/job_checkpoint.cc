@@ -48,14 +48,14 @@ absl::Status JobCheckpoint::Poll(const Progress& progress) {
   return absl::OkStatus();
 }
 
-// It does not yield at each poll instead: since 6.18 Linux charges a thread that
-// yields the rest of its time slice, so it would get next to nothing beside
-// threads that do not.
+// It does not yield at each poll instead: since 6.18 Linux charges a thread
+// that yields the rest of its time slice, so it would get next to nothing
+// beside threads that do not.
 void JobCheckpoint::MakeWay(Duration ran) {
-  ShareByAge(ran);
-  if (is_long_ || ran < kYoung) return;
+  if (ran < kYoung) return;
+  if (!is_long_) scheduler_.LetOthersStart();
   is_long_ = true;
-  scheduler_.LetOthersStart();
+  if (scheduler_.HasSeveralClients()) ShareByAge(ran);
 }
 
 }  // namespace geodesic::server

@@ -136,6 +136,8 @@ class JobQueue {
   // Takes out all, in order of age. O(n).
   std::vector<WaitingJob> Clear();
 
+  // Those of whom jobs wait or run.
+  size_t clients() const { return accounts_.size(); }
   bool empty() const { return jobs_.empty(); }
   size_t size() const { return jobs_.size(); }
 

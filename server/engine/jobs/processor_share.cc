@@ -7,7 +7,7 @@ namespace {
 
 // Five steps of nice leave a third of a thread's weight (each takes a fifth).
 constexpr int kThird = 5;
-constexpr int kLeast = 19;
+constexpr int kMost = 2 * kThird;
 
 thread_local int steps = 0;
 
@@ -15,7 +15,7 @@ thread_local int steps = 0;
 
 void ShareByAge(Duration ran) {
   int wanted = 0;
-  for (Duration age = kYoung; age <= ran && wanted < kLeast; age *= 4) {
+  for (Duration age = kYoung; age <= ran && wanted < kMost; age *= 4) {
     wanted += kThird;
   }
   if (wanted <= steps) return;

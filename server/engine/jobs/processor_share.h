@@ -12,10 +12,10 @@ namespace geodesic::server {
 // Work that has run for longer makes way for what has not.
 inline constexpr Duration kYoung = std::chrono::microseconds(12'500);
 
-// Each time that the calling thread's work has run four times as long, from
-// kYoung on, its share against other threads of the process becomes a third. A
-// share does not grow again: without privileges Linux takes no nice value back.
-// Does nothing where the system refuses.
+// From kYoung on the calling thread's share is a third of what others get, and
+// four times later a ninth; no less, since other programs may want processors,
+// too. A share does not grow again: without privileges Linux takes no nice
+// value back. Does nothing where the system refuses.
 void ShareByAge(Duration ran);
 
 // Whether ShareByAge made the calling thread's share smaller.

@@ -242,6 +242,11 @@ size_t Scheduler::idle() const {
   return taken < max_running_ ? max_running_ - taken : 0;
 }
 
+bool Scheduler::HasSeveralClients() const {
+  std::lock_guard lock(mutex_);
+  return LineOf(ThreadKind::kCompute).queue.clients() > 1;
+}
+
 bool Scheduler::is_busy() const {
   std::lock_guard lock(mutex_);
   return 2 * LineOf(ThreadKind::kCompute).running >= max_running_;

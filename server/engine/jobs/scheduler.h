@@ -124,6 +124,8 @@ class Scheduler {
   size_t queued() const;  // except kPrepare
   // Threads beyond those that running and waiting jobs take.
   size_t idle() const;
+  // Whether jobs of more than one client run or wait.
+  bool HasSeveralClients() const;
   // Whether half of the threads or more have jobs.
   bool is_busy() const;
   // Whether the next job waits for memory that others hold.
