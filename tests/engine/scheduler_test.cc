@@ -127,6 +127,32 @@ TEST(SchedulerLongTest, NobodyWaitsForOthersLongJobs) {
   EXPECT_THAT(ran, ElementsAre("third", "short", "long", "long"));
 }
 
+// What nobody waits for takes half of the disk's threads at the most.
+TEST(SchedulerDiskTest, StoresLeaveThreadsToWhoWaits) {
+  test::ManualExecutor executor;
+  Scheduler scheduler(executor, /*max_running=*/1, /*max_queued=*/9);
+  int stored = 0;
+  bool was_read = false;
+  scheduler.Store([&] {
+    EXPECT_TRUE(executor.RunOne());
+    ++stored;
+  });
+  scheduler.Store([&] {
+    executor.RunAll();
+    EXPECT_EQ(stored, 0) << "two are written: the third waits";
+    EXPECT_TRUE(scheduler
+                    .Submit({.waits_for_disk = [] { return true; },
+                             .run = [&](std::stop_token) { was_read = true; }})
+                    .ok());
+    executor.RunAll();
+    EXPECT_TRUE(was_read);
+    ++stored;
+  });
+  scheduler.Store([&] { ++stored; });
+  executor.RunAll();
+  EXPECT_EQ(stored, 3);
+}
+
 TEST(SchedulerIdleTest, PreparationsRunBesideTheOthersOneAtATime) {
   test::ManualExecutor executor;
   Scheduler scheduler(executor, /*max_running=*/1, /*max_queued=*/0);

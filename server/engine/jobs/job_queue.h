@@ -107,6 +107,7 @@ class JobQueue {
   // The job whose turn it is. REQUIRES: !empty().
   uint64_t Next() const;
   WaitingJob& waiting(uint64_t number) { return jobs_.at(number); }
+  const WaitingJob& waiting(uint64_t number) const { return jobs_.at(number); }
 
   // The oldest job that `can_start`. O(n).
   std::optional<uint64_t> Oldest(absl::FunctionRef<bool(Job&)> can_start);

@@ -14,6 +14,9 @@ namespace {
 // A queue moves on within about a second: most jobs take less.
 constexpr std::chrono::milliseconds kRetryDelay{1000};
 
+// Of the disk's threads: what nobody waits for leaves others to those who do.
+constexpr size_t kStoreThreads = kDiskThreads / 2;
+
 // The default of max_queued_jobs.
 constexpr uint64_t kMostOvertaken = 256;
 
@@ -127,8 +130,12 @@ size_t Scheduler::FreeThreads(const Line& line) const {
 
 std::optional<uint64_t> Scheduler::Next(const Line& line) const {
   if (FreeThreads(line) == 0) return std::nullopt;
-  return line.queue.NextWithin(
+  const std::optional<uint64_t> next = line.queue.NextWithin(
       &line == &LineOf(ThreadKind::kCompute) ? max_running_ : kDiskThreads);
+  const bool is_store =
+      next.has_value() &&
+      line.queue.waiting(*next).job.priority == JobPriority::kStore;
+  return is_store && line.stores == kStoreThreads ? std::nullopt : next;
 }
 
 void Scheduler::AskForThreads() {
@@ -277,6 +284,8 @@ void Scheduler::RunOne(Line& line) {
     const std::stop_source source;
     running_[id] = {source, std::this_thread::get_id(), &line};
     ++line.running;
+    const bool is_store = started->job.priority == JobPriority::kStore;
+    if (is_store) ++line.stores;
     const std::string client = started->job.client;
     lock.unlock();
     Duration ran{0};
@@ -295,6 +304,7 @@ void Scheduler::RunOne(Line& line) {
       lock.lock();
     }
     if (running_.at(id).is_long) --line.long_running;
+    if (is_store) --line.stores;
     running_.erase(id);
     --line.running;
   }

@@ -137,6 +137,7 @@ class Scheduler {
     JobQueue queue;
     size_t running = 0;
     size_t long_running = 0;  // of them
+    size_t stores = 0;        // of them: kStore
     size_t workers = 0;       // tasks on the executor
     // As of the last attempt to start one.
     bool lacks_memory = false;
