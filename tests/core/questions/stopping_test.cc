@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "absl/status/status.h"
 #include "geodesic/computation.h"
+#include "geodesic/isolines.h"
 #include "geodesic/mesh.h"
 #include "geodesic/mesh_summary.h"
 #include "geodesic/solve.h"
@@ -108,6 +110,27 @@ TEST(Stopping, FieldsOfManySourcesAskForEachFaceAtAnEdge) {
     EXPECT_TRUE(question.ask(*mesh, 0, checkpoint).ok());
     EXPECT_GE(checkpoint.polls().size(), kSources * kFaces / kSteps);
   }
+}
+
+// Each page is entered by as many windows, of which each is compared with each
+// other before a line is drawn there.
+TEST(Stopping, IsolinesOfManySourcesAskForEachTwoWaysIntoAFace) {
+  constexpr uint32_t kFaces = 256, kSources = 64;
+  const auto mesh = Mesh::Build(Pages(kFaces)).value();
+  Query query;
+  for (uint32_t i = 0; i < kSources; ++i) {
+    const double t = 0.01 + 0.97 * i / kSources;
+    query.sources.push_back({FacePoint{0, {0.99 - t, t, 0.01}}});
+  }
+  RecordingCheckpoint field, isolines;
+  ASSERT_TRUE(Solve(*mesh, query, {}, field).ok());
+  const IsolineOptions far = {
+      .levels = {0.5}, .chord_error = std::numeric_limits<double>::infinity()};
+  ASSERT_TRUE(
+      ComputeIsolines(*mesh, Valid(*mesh, query), far, {}, isolines).ok());
+  // A poll comes after 4096 ways.
+  EXPECT_GT(isolines.polls().size() - field.polls().size(),
+            kFaces * kSources * kSources / 4096);
 }
 
 // Also amid the faces at an edge.
