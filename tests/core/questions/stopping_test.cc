@@ -18,6 +18,7 @@
 #include "geodesic/mesh.h"
 #include "geodesic/mesh_summary.h"
 #include "geodesic/solve.h"
+#include "geodesic/trace.h"
 #include "geodesic_types/algorithms.h"
 #include "tests/support/checkpoints.h"
 #include "tests/support/crowded_meshes.h"
@@ -110,6 +111,20 @@ TEST(Stopping, FieldsOfManySourcesAskForEachFaceAtAnEdge) {
     EXPECT_TRUE(question.ask(*mesh, 0, checkpoint).ok());
     EXPECT_GE(checkpoint.polls().size(), kSources * kFaces / kSteps);
   }
+}
+
+// Around a hub it takes long to look around, for each line, and to find the
+// way.
+TEST(Stopping, LinesFromAHubAskBeforeAndAfterTheyFindTheWay) {
+  const auto mesh = Mesh::Build(NeedleFan(2 * kSteps)).value();
+  const LineQuestion lines = {
+      .sources = std::vector<SurfacePoint>(3, VertexPoint{0}),
+      .directions = {Point{1, 0, 0}},
+      .lengths = {0.5}};
+  RecordingCheckpoint checkpoint;
+  const auto take = [](const TracedLine&) { return absl::OkStatus(); };
+  ASSERT_TRUE(TraceLines(*mesh, lines, 0, 3, checkpoint, take).ok());
+  EXPECT_EQ(checkpoint.polls().size(), 2 * 3);
 }
 
 // Each page is entered by as many windows, of which each is compared with each
