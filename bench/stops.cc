@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -71,6 +72,7 @@ struct Crowd {
 
 std::vector<Crowd> Crowds(uint32_t faces) {
   const auto side = static_cast<uint32_t>(std::sqrt(faces / 2));
+  const auto points = static_cast<uint32_t>(std::cbrt(6.0 * faces) + 1);
   return {{"pages", test::Pages(faces), 2},
           {"pages, spine", test::Pages(faces), 0},
           {"needles", test::NeedleFan(faces), 0},
@@ -78,33 +80,40 @@ std::vector<Crowd> Crowds(uint32_t faces) {
           {"one point", test::FanInOnePoint(faces), 1},
           {"fins", test::FinnedStrip(faces / 4), 0},
           {"strip", test::Strip(faces / 2, 0.1, 1), 0},
-          {"grid", test::MakeGrid({.columns = side, .rows = side}), 0}};
+          {"grid", test::MakeGrid({.columns = side, .rows = side}), 0},
+          {"all triangles", test::AllTriangles(points), 0}};
 }
 
 int Main(int argc, char** argv) {
   CLI::App app("How soon every question hears that it is to stop");
-  uint32_t faces = 20'000;
+  uint32_t faces = 20'000, sources = 2000;
   double limit_s = 20;
   std::string only_mesh, only_question;
   bool all_algorithms = false;
   app.add_option("--faces", faces, "of each mesh, about")
       ->capture_default_str();
+  app.add_option("--sources", sources, "where there are many")
+      ->capture_default_str();
   app.add_option("--limit", limit_s,
                  "seconds after which a question is told to stop")
       ->capture_default_str();
   app.add_option("--mesh", only_mesh, "this one alone");
-  app.add_option("--question", only_question, "this one alone");
+  app.add_option("--question", only_question,
+                 "only those with this in their names");
   app.add_flag("--algorithms", all_algorithms, "fields by every algorithm");
   CLI11_PARSE(app, argc, argv);
   std::printf(
       "| mesh | question | ms | polls | longest between polls, ms | |\n"
       "|---|---|--:|--:|--:|---|\n");
+  std::vector<test::AnyQuestion> questions =
+      test::EveryQuestion(all_algorithms);
+  std::ranges::move(test::QuestionsOfManySources(sources, all_algorithms),
+                    std::back_inserter(questions));
   for (const Crowd& crowd : Crowds(faces)) {
     if (!only_mesh.empty() && crowd.name != only_mesh) continue;
     const std::shared_ptr<const Mesh> mesh = Mesh::Build(crowd.soup).value();
-    for (const test::AnyQuestion& question :
-         test::EveryQuestion(all_algorithms)) {
-      if (!only_question.empty() && question.name != only_question) continue;
+    for (const test::AnyQuestion& question : questions) {
+      if (question.name.find(only_question) == std::string::npos) continue;
       Watch watch(1e3 * limit_s);
       const absl::Status status = question.ask(*mesh, crowd.source, watch);
       watch.Begin();

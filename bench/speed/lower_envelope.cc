@@ -30,6 +30,7 @@ uint64_t LowerEnvelope(const Mesh& mesh, uint32_t source) {
   DirectSink sink(front, rule);
   for (const Anchor& anchor : AnchorsOf(query)) front.AddAnchor(anchor, sink);
   for (uint32_t id = queue.Pop(); id != kNothing; id = queue.Pop()) {
+    while (rule.HasToSpread()) rule.Spread();
     if (id & kVertexEvent) {
       const uint32_t v = id & ~kVertexEvent;
       if (front.TakeEvent(v)) front.Expand(v, sink);

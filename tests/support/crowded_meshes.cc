@@ -55,4 +55,17 @@ TriangleSoup FinnedStrip(uint32_t count) {
   return soup;
 }
 
+TriangleSoup AllTriangles(uint32_t count) {
+  TriangleSoup soup;
+  for (uint32_t a = 0; a < count; ++a) {
+    const double x = a;
+    soup.positions.push_back(
+        {x, 1e-3 * std::sin(7 * x), 1e-3 * std::cos(5 * x)});
+    for (uint32_t b = 0; b < a; ++b) {
+      for (uint32_t c = 0; c < b; ++c) soup.triangles.push_back({a, b, c});
+    }
+  }
+  return soup;
+}
+
 }  // namespace geodesic::test

@@ -25,6 +25,10 @@ TriangleSoup FanInOnePoint(uint32_t count);
 // along it cross edges of three faces only.
 TriangleSoup FinnedStrip(uint32_t count);
 
+// All triangles of `count` points that are nearly in line: each edge has
+// count - 2 faces.
+TriangleSoup AllTriangles(uint32_t count);
+
 }  // namespace geodesic::test
 
 #endif  // GEODESIC_TESTS_SUPPORT_CROWDED_MESHES_H_

@@ -22,6 +22,7 @@
 #include "geodesic/trace.h"
 #include "geodesic_types/algorithms.h"
 #include "tests/support/queries.h"
+#include "tests/support/random.h"
 
 namespace geodesic::test {
 namespace {
@@ -109,6 +110,32 @@ absl::Status Approximate(const Mesh& mesh, uint32_t source,
       .status();
 }
 
+enum class Where { kInFaces, kOnEdges, kAtVertices };
+
+std::vector<Source> ManySources(const Mesh& mesh, Where where, uint32_t count) {
+  Random random(1);
+  std::vector<Source> sources;
+  while (sources.size() < count) {
+    const uint32_t face = random.Below(mesh.face_count());
+    const Triangle& corners = mesh.triangle(face);
+    const uint32_t side = random.Below(3);
+    const double a = random.Uniform(0.01, 0.98);
+    const double b = random.Uniform(0.01, 0.99 - a);
+    switch (where) {
+      case Where::kInFaces:
+        sources.push_back({FacePoint{face, {a, b, 1 - a - b}}});
+        break;
+      case Where::kOnEdges:
+        sources.push_back(
+            {EdgePoint{corners[side], corners[(side + 1) % 3], a}});
+        break;
+      case Where::kAtVertices:
+        sources.push_back({VertexPoint{corners[side]}, a});
+    }
+  }
+  return sources;
+}
+
 }  // namespace
 
 std::vector<AnyQuestion> EveryQuestion(bool algorithms) {
@@ -172,6 +199,40 @@ std::vector<AnyQuestion> EveryQuestion(bool algorithms) {
                      return Approximate(mesh, source, {.method = method},
                                         checkpoint);
                    }});
+  }
+  return all;
+}
+
+std::vector<AnyQuestion> QuestionsOfManySources(uint32_t sources,
+                                                bool algorithms) {
+  const std::pair<const char*, Where> places[] = {
+      {"sources in faces", Where::kInFaces},
+      {"sources on edges", Where::kOnEdges},
+      {"sources with offsets", Where::kAtVertices}};
+  std::vector<AnyQuestion> all;
+  for (const auto& [name, where] : places) {
+    for (const AlgorithmInfo& info : kAlgorithms) {
+      const Algorithm algorithm = info.algorithm;
+      if (!algorithms && algorithm != kDefaultAlgorithm) continue;
+      const auto query = [=, where = where](const Mesh& mesh) {
+        return Query{.sources = ManySources(mesh, where, sources),
+                     .algorithm = algorithm};
+      };
+      const std::string what =
+          std::string(name) + " by " + std::string(AlgorithmName(algorithm));
+      all.push_back({"field of " + what,
+                     [=](const Mesh& mesh, uint32_t, Checkpoint& checkpoint) {
+                       return Solve(mesh, query(mesh), {}, checkpoint).status();
+                     }});
+      all.push_back({"isolines of " + what,
+                     [=](const Mesh& mesh, uint32_t, Checkpoint& checkpoint) {
+                       const IsolineOptions isolines{.levels = {0.01, 0.1, 0.5},
+                                                     .chord_error = 1e-6};
+                       return ComputeIsolines(mesh, Valid(mesh, query(mesh)),
+                                              isolines, {}, checkpoint)
+                           .status();
+                     }});
+    }
   }
   return all;
 }

@@ -24,6 +24,11 @@ struct AnyQuestion {
 // `algorithms`: fields by every algorithm; otherwise by the default one.
 std::vector<AnyQuestion> EveryQuestion(bool algorithms);
 
+// Fields and isolines of so many sources each: in faces, on edges, and at
+// vertices with offsets. The source that is named plays no part.
+std::vector<AnyQuestion> QuestionsOfManySources(uint32_t sources,
+                                                bool algorithms);
+
 }  // namespace geodesic::test
 
 #endif  // GEODESIC_TESTS_SUPPORT_EVERY_QUESTION_H_

@@ -95,7 +95,7 @@ class LocalSearch {
   // if nothing is left.
   uint64_t Step() {
     uint64_t steps = 0;
-    const uint64_t created = rule_.created();
+    const uint64_t before = rule_.steps();
     if constexpr (kTogether) {
       PopTogether(queue_, rule_.most_together(), together_);
       for (const uint32_t id : together_) steps += StepsOf(mesh_, id);
@@ -112,7 +112,7 @@ class LocalSearch {
         rule_.Propagate(id);
       }
     }
-    return std::max(steps, rule_.created() - created);
+    return std::max(steps, rule_.steps() - before);
   }
 
   // To the distance of the vertex that is the last wanted so far. Distances

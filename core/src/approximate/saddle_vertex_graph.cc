@@ -24,6 +24,7 @@
 #include "solver/rules/ch_rule.h"
 #include "solver/rules/list_rule.h"
 #include "solver/thread_team.h"
+#include "solver/work_meter.h"
 #include "surface/straight_line.h"
 #include "tolerances.h"
 
@@ -36,6 +37,8 @@ constexpr uint32_t kMostNeighbours = 10000;
 
 // Vertices that a thread takes at a time: a millisecond's work.
 constexpr uint32_t kShare = 16;
+// Arcs that are sorted in the time of a step of WorkMeter.
+constexpr uint64_t kArcsAStep = 8;
 // Between two polls of a query, in vertices.
 constexpr uint32_t kPollPeriod = 1024;
 
@@ -180,7 +183,8 @@ SaddleVertexGraph::Prepare(const Mesh& mesh, const SaddleGraphOptions& options,
       FindArcs(mesh, options, checkpoint);
   if (!found.ok()) return found.status();
   std::shared_ptr<SaddleVertexGraph> graph(new SaddleVertexGraph(mesh));
-  graph->Join(*found);
+  status = graph->Join(*found, checkpoint);
+  if (!status.ok()) return status;
   return graph;
 }
 
@@ -205,34 +209,49 @@ SaddleVertexGraph::FromArcs(const Mesh& mesh, std::vector<uint64_t> offsets,
 
 // Every arc at both its ends, and the edges of the mesh, which lead everywhere
 // that paths lead.
-void SaddleVertexGraph::Join(const std::vector<std::vector<Arc>>& found) {
+absl::Status SaddleVertexGraph::Join(const std::vector<std::vector<Arc>>& found,
+                                     Checkpoint& checkpoint) {
+  uint64_t found_bytes = found.capacity() * sizeof(found[0]);
+  for (const std::vector<Arc>& arcs : found) {
+    found_bytes += arcs.capacity() * sizeof(Arc);
+  }
+  const auto poll = [&] {
+    return checkpoint.Poll({.vertices_reached = mesh().vertex_count(),
+                            .vertices = mesh().vertex_count(),
+                            .solver_bytes = found_bytes + bytes()});
+  };
+  WorkMeter meter(poll);
   const auto for_each = [&](auto visit) {
-    for (uint32_t v = 0; v < found.size(); ++v) {
+    for (uint32_t v = 0; v < found.size() && meter.Do(); ++v) {
       for (const Arc& arc : found[v]) visit(v, arc.to, arc.length);
     }
-    for (HalfEdge h = 0; h < mesh().half_edge_count(); ++h) {
+    for (HalfEdge h = 0; h < mesh().half_edge_count() && meter.Do(); ++h) {
       visit(mesh().From(h), mesh().To(h),
             static_cast<float>(mesh().frame(h).length));
     }
+    return meter.status();
   };
   begin_.assign(mesh().vertex_count() + 1, 0);
-  for_each([this](uint32_t v, uint32_t w, float) {
+  absl::Status status = for_each([this](uint32_t v, uint32_t w, float) {
     ++begin_[v + 1];
     ++begin_[w + 1];
   });
+  if (!status.ok()) return status;
   for (size_t v = 0; v + 1 < begin_.size(); ++v) begin_[v + 1] += begin_[v];
   arcs_.resize(begin_.back());
   std::vector<uint64_t> next(begin_.begin(), begin_.end() - 1);
-  for_each([&](uint32_t v, uint32_t w, float length) {
+  status = for_each([&](uint32_t v, uint32_t w, float length) {
     arcs_[next[v]++] = {w, length};
     arcs_[next[w]++] = {v, length};
   });
+  if (!status.ok()) return status;
   // Of arcs between the same two only the shortest stays.
   uint64_t kept = 0;
   for (uint32_t v = 0; v < mesh().vertex_count(); ++v) {
     const auto first = arcs_.begin() + static_cast<std::ptrdiff_t>(begin_[v]);
     const auto last =
         arcs_.begin() + static_cast<std::ptrdiff_t>(begin_[v + 1]);
+    if (!meter.Do(1 + (last - first) / kArcsAStep)) return meter.status();
     std::sort(first, last, [](const Arc& a, const Arc& b) {
       return a.to != b.to ? a.to < b.to : a.length < b.length;
     });
@@ -245,6 +264,7 @@ void SaddleVertexGraph::Join(const std::vector<std::vector<Arc>>& found) {
   begin_.back() = kept;
   arcs_.resize(kept);
   arcs_.shrink_to_fit();
+  return poll();
 }
 
 ApproximateMethod SaddleVertexGraph::method() const {

@@ -23,19 +23,20 @@
 namespace geodesic {
 namespace {
 
-// Whether faces can be turned over so that all agree. O(F).
-bool IsOrientable(const Mesh& mesh) {
+// Whether faces can be turned over so that all agree. O(F). Says anything once
+// the pace has stopped.
+bool IsOrientable(const Mesh& mesh, Pace& pace) {
   if (!mesh.HasIrregularEdges()) return true;
   enum : uint8_t { kUnseen, kAsIs, kTurned };
   const uint32_t faces = mesh.half_edge_count() / 3;
   std::vector<uint8_t> sides(faces, kUnseen);
   std::vector<uint32_t> stack;
   bool is_orientable = true;
-  for (uint32_t start = 0; start < faces; ++start) {
+  for (uint32_t start = 0; start < faces && pace.Goes(); ++start) {
     if (sides[start] != kUnseen) continue;
     sides[start] = kAsIs;
     stack.push_back(start);
-    while (!stack.empty() && is_orientable) {
+    while (!stack.empty() && is_orientable && pace.Goes()) {
       const uint32_t face = stack.back();
       stack.pop_back();
       for (HalfEdge h = 3 * face; h < 3 * face + 3; ++h) {
@@ -60,13 +61,14 @@ bool IsOrientable(const Mesh& mesh) {
 // of the surface touch in a point.
 class Fans {
  public:
-  explicit Fans(const Mesh& mesh) : mesh_(mesh) {
+  // Of no use once the pace has stopped.
+  Fans(const Mesh& mesh, Pace& pace) : mesh_(mesh) {
     bool has_several = false;
     for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
       count_ += !mesh.Outgoing(v).empty();
       has_several = has_several || mesh.IsNonManifold(v);
     }
-    if (has_several) Join();
+    if (has_several) Join(pace);
   }
 
   uint64_t count() const { return count_; }
@@ -78,9 +80,9 @@ class Fans {
   }
 
  private:
-  void Join() {
+  void Join(Pace& pace) {
     joined_.emplace(mesh_.half_edge_count());
-    for (HalfEdge h = 0; h < mesh_.half_edge_count(); ++h) {
+    for (HalfEdge h = 0; h < mesh_.half_edge_count() && pace.Goes(); ++h) {
       if (mesh_.IsNonManifoldEdge(h)) continue;
       mesh_.ForEachBeyond(h, [&](HalfEdge other, bool is_mirrored) {
         joined_->Join(h, is_mirrored ? other : Next(other));
@@ -97,17 +99,27 @@ class Fans {
   std::optional<DisjointSets> joined_;
 };
 
-// Boundary edges follow each other where they bound the same fan.
+// Boundary edges follow each other where they bound the same fan. Says anything
+// once the pace has stopped.
 uint64_t CountBoundaryLoops(const Mesh& mesh,
-                            std::span<const HalfEdge> boundary, Fans& fans) {
+                            std::span<const HalfEdge> boundary, Fans& fans,
+                            Pace& pace) {
   if (boundary.empty()) return 0;
   DisjointSets loops(mesh.half_edge_count());
-  for (HalfEdge h : boundary) loops.Join(fans.Of(h), fans.Of(Next(h)));
-  std::vector<uint32_t> names;
-  names.reserve(boundary.size());
-  for (HalfEdge h : boundary) names.push_back(loops.Find(fans.Of(h)));
-  std::ranges::sort(names);
-  return std::unique(names.begin(), names.end()) - names.begin();
+  for (HalfEdge h : boundary) {
+    if (!pace.Goes()) return 0;
+    loops.Join(fans.Of(h), fans.Of(Next(h)));
+  }
+  // Each loop is counted where its name is seen first.
+  std::vector<bool> is_named(mesh.half_edge_count());
+  uint64_t count = 0;
+  for (HalfEdge h : boundary) {
+    if (!pace.Goes()) return 0;
+    const uint32_t name = loops.Find(fans.Of(h));
+    count += !is_named[name];
+    is_named[name] = true;
+  }
+  return count;
 }
 
 // What one walk over the faces and their sides tells.
@@ -135,7 +147,10 @@ class Survey {
     for (uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
       if (!mesh_.IsNonManifold(v)) continue;
       const std::span<const HalfEdge> outgoing = mesh_.Outgoing(v);
-      for (HalfEdge h : outgoing) pieces_.Join(h / 3, outgoing[0] / 3);
+      for (HalfEdge h : outgoing) {
+        if (!pace.Goes()) return pace.status();
+        pieces_.Join(h / 3, outgoing[0] / 3);
+      }
     }
     summary_.components = pieces_.count();
     return checkpoint.Poll({});
@@ -295,11 +310,13 @@ absl::StatusOr<MeshSummary> Summarize(const Mesh& mesh,
   if (!status.ok()) return status;
   status = TellOfReading(mesh, survey.boundary(), checkpoint, summary);
   if (!status.ok()) return status;
-  summary.is_orientable = IsOrientable(mesh);
+  Pace pace(&checkpoint);
+  summary.is_orientable = IsOrientable(mesh, pace);
+  Fans fans(mesh, pace);
+  summary.boundary_loops =
+      CountBoundaryLoops(mesh, survey.boundary(), fans, pace);
+  if (!pace.status().ok()) return pace.status();
   if (status = checkpoint.Poll({}); !status.ok()) return status;
-  Fans fans(mesh);
-  if (status = checkpoint.Poll({}); !status.ok()) return status;
-  summary.boundary_loops = CountBoundaryLoops(mesh, survey.boundary(), fans);
   if (summary.is_orientable && summary.non_manifold_edges == 0) {
     // Euler's formula for the surface with touching fans pulled apart.
     summary.genus =

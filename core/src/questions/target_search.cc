@@ -323,10 +323,11 @@ class TargetSearch::Impl {
     DirectSink sink(front_, rule_);
     uint64_t entered = 0;
     for (const Anchor& anchor : anchors) {
-      if (++entered % kAnchorsBetweenPolls == 0) {
+      if (entered >= kWorkBetweenPolls) {
+        entered = 0;
         if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
       }
-      front_.AddAnchor(anchor, sink);
+      entered += kStepsOfAnchor + front_.AddAnchor(anchor, sink);
     }
     // Vertices that windows miss beside thin faces are reached along edges, as
     // in fields; or where the target is farther than a path that is known.
@@ -367,10 +368,10 @@ class TargetSearch::Impl {
         statistics_.pseudo_source_events += (id & kVertexEvent) != 0;
         events += StepsOf(mesh_, id);
       }
-      const uint64_t created = rule_.created();
+      const uint64_t before = rule_.steps();
       const uint64_t windows = rule_.Propagate(together_);
       statistics_.windows_propagated += windows;
-      steps += std::max({events, windows, rule_.created() - created});
+      steps += std::max({events, windows, rule_.steps() - before});
       statistics_.peak_wavefront =
           std::max(statistics_.peak_wavefront, rule_.pending());
     }

@@ -264,13 +264,20 @@ class Propagation final : public Computation {
 
   absl::Status Seed(Checkpoint& checkpoint) {
     DirectSink sink(front_, rule_);
-    for (uint64_t entered = 0; !pending_anchors_.empty(); ++entered) {
-      if (entered == kAnchorsBetweenPolls) {
-        entered = 0;
+    uint64_t steps = 0;
+    while (HasToSpread() || !pending_anchors_.empty()) {
+      if (steps >= kWorkBetweenPolls) {
+        steps = 0;
         if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
       }
-      front_.AddAnchor(pending_anchors_.front(), sink);
+      if (HasToSpread()) {
+        steps += Spread();
+        continue;
+      }
+      const uint64_t before = rule_.steps();
+      const uint64_t faces = front_.AddAnchor(pending_anchors_.front(), sink);
       pending_anchors_.pop_front();
+      steps += kStepsOfAnchor + std::max(faces, rule_.steps() - before);
     }
     return absl::OkStatus();
   }
@@ -286,7 +293,9 @@ class Propagation final : public Computation {
   // if nothing is left.
   uint64_t Take() {
     uint64_t taken = 0;
-    if constexpr (kTogether) {
+    if (HasToSpread()) {
+      taken = Spread();
+    } else if constexpr (kTogether) {
       taken = StepTogether();
     } else {
       taken = Step();
@@ -294,6 +303,20 @@ class Propagation final : public Computation {
     statistics_.peak_wavefront =
         std::max(statistics_.peak_wavefront, rule_.pending());
     return taken;
+  }
+
+  bool HasToSpread() const {
+    if constexpr (ToldOfWideEdges<RuleType>) {
+      return rule_.HasToSpread();
+    } else {
+      return false;
+    }
+  }
+  // REQUIRES: HasToSpread(). Returns how many steps that were, at least one.
+  uint64_t Spread() {
+    const uint64_t before = rule_.steps();
+    if constexpr (ToldOfWideEdges<RuleType>) rule_.Spread();
+    return std::max<uint64_t>(1, rule_.steps() - before);
   }
 
   // The next one.
@@ -306,13 +329,14 @@ class Propagation final : public Computation {
       const uint32_t v = id & ~kVertexEvent;
       DirectSink sink(front_, rule_);
       if (!front_.TakeEvent(v)) return 1;
-      front_.Expand(v, sink);
-      return StepsOf(mesh(), id);
+      const uint64_t before = rule_.steps();
+      const uint64_t faces = front_.Expand(v, sink);
+      return std::max({StepsOf(mesh(), id), faces, rule_.steps() - before});
     }
-    const uint64_t created = rule_.created();
+    const uint64_t before = rule_.steps();
     const uint64_t windows = rule_.Propagate(id);
     statistics_.windows_propagated += windows;
-    return std::max({uint64_t{1}, windows, rule_.created() - created});
+    return std::max({uint64_t{1}, windows, rule_.steps() - before});
   }
 
   // All whose order the queue knows already.
@@ -323,10 +347,10 @@ class Propagation final : public Computation {
       statistics_.pseudo_source_events += (id & kVertexEvent) != 0;
       steps += StepsOf(mesh(), id);
     }
-    const uint64_t created = rule_.created();
+    const uint64_t before = rule_.steps();
     const uint64_t windows = rule_.Propagate(together_);
     statistics_.windows_propagated += windows;
-    return std::max({steps, windows, rule_.created() - created});
+    return std::max({steps, windows, rule_.steps() - before});
   }
 
   absl::Status Poll(Checkpoint& checkpoint) {

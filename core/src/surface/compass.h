@@ -9,6 +9,7 @@
 #ifndef GEODESIC_SURFACE_COMPASS_H_
 #define GEODESIC_SURFACE_COMPASS_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -43,6 +44,8 @@ class Compass {
   // half-edge of Mesh::Outgoing, at an edge point along the edge from the lower
   // vertex number to the higher, and in a face from corner 0 to corner 1.
   const Point& zero_direction() const { return zero_direction_; }
+
+  size_t sector_count() const { return sectors_.size(); }
 
   // The angle of a direction in the frame of h; NaN if its face does not lie
   // around the point.

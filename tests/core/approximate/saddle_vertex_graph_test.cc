@@ -17,6 +17,7 @@
 #include "absl/strings/match.h"
 #include "tests/core/approximate/method_check.h"
 #include "tests/support/checkpoints.h"
+#include "tests/support/crowded_meshes.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/mesh_edits.h"
 #include "tests/support/planar_meshes.h"
@@ -243,6 +244,19 @@ TEST(SaddleVertexGraph, TellsHowManyVerticesAreDone) {
   }
   EXPECT_EQ(before, mesh->vertex_count());
   EXPECT_GT(checkpoint.polls().size(), 50u);
+}
+
+// When all arcs are found they are put together: a step for each vertex and
+// half-edge, twice, and a poll for every 2048.
+TEST(SaddleVertexGraph, AsksWhileItPutsArcsTogether) {
+  const auto mesh = BuildOrFail({"fan", NeedleFan(8192)});
+  RecordingCheckpoint checkpoint;
+  ASSERT_TRUE(
+      SaddleVertexGraph::Prepare(*mesh, {.neighbours = 2}, checkpoint).ok());
+  const auto all_done = std::ranges::count(
+      checkpoint.polls(), mesh->vertex_count(), &Progress::vertices_reached);
+  EXPECT_GT(all_done,
+            2 * (mesh->vertex_count() + mesh->half_edge_count()) / 2048);
 }
 
 }  // namespace

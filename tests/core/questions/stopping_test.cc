@@ -4,19 +4,28 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "absl/status/status.h"
+#include "geodesic/computation.h"
+#include "geodesic/isolines.h"
 #include "geodesic/mesh.h"
 #include "geodesic/mesh_summary.h"
+#include "geodesic/solve.h"
+#include "geodesic/trace.h"
+#include "geodesic_types/algorithms.h"
 #include "tests/support/checkpoints.h"
 #include "tests/support/crowded_meshes.h"
 #include "tests/support/curved_meshes.h"
 #include "tests/support/every_question.h"
 #include "tests/support/planar_meshes.h"
+#include "tests/support/queries.h"
 
 namespace geodesic::test {
 namespace {
@@ -85,6 +94,89 @@ TEST(Stopping, APathOverAnEdgeOfManyFacesLooksAtEachOnce) {
   constexpr uint32_t kFaces = 16 * kSteps;
   const uint64_t polls = PollsOf("paths", Pages(kFaces), 2);
   EXPECT_EQ(polls, 1 + 8 * (kFaces / kSteps));
+}
+
+// Each source looks at all of the faces, and asks for every kSteps of them.
+TEST(Stopping, FieldsOfManySourcesAskForEachFaceAtAnEdge) {
+  constexpr uint32_t kFaces = 8 * kSteps, kSources = 4;
+  const auto mesh = Mesh::Build(Pages(kFaces)).value();
+  for (const AnyQuestion& question :
+       QuestionsOfManySources(kSources, /*algorithms=*/true)) {
+    if (!question.name.starts_with("field") ||
+        question.name.find("with offsets") != std::string::npos) {
+      continue;
+    }
+    SCOPED_TRACE(question.name);
+    RecordingCheckpoint checkpoint;
+    EXPECT_TRUE(question.ask(*mesh, 0, checkpoint).ok());
+    EXPECT_GE(checkpoint.polls().size(), kSources * kFaces / kSteps);
+  }
+}
+
+// Around a hub it takes long to look around, for each line, and to find the
+// way.
+TEST(Stopping, LinesFromAHubAskBeforeAndAfterTheyFindTheWay) {
+  const auto mesh = Mesh::Build(NeedleFan(2 * kSteps)).value();
+  const LineQuestion lines = {
+      .sources = std::vector<SurfacePoint>(3, VertexPoint{0}),
+      .directions = {Point{1, 0, 0}},
+      .lengths = {0.5}};
+  RecordingCheckpoint checkpoint;
+  const auto take = [](const TracedLine&) { return absl::OkStatus(); };
+  ASSERT_TRUE(TraceLines(*mesh, lines, 0, 3, checkpoint, take).ok());
+  EXPECT_EQ(checkpoint.polls().size(), 2 * 3);
+}
+
+// Each page is entered by as many windows, of which each is compared with each
+// other before a line is drawn there.
+TEST(Stopping, IsolinesOfManySourcesAskForEachTwoWaysIntoAFace) {
+  constexpr uint32_t kFaces = 256, kSources = 64;
+  const auto mesh = Mesh::Build(Pages(kFaces)).value();
+  Query query;
+  for (uint32_t i = 0; i < kSources; ++i) {
+    const double t = 0.01 + 0.97 * i / kSources;
+    query.sources.push_back({FacePoint{0, {0.99 - t, t, 0.01}}});
+  }
+  RecordingCheckpoint field, isolines;
+  ASSERT_TRUE(Solve(*mesh, query, {}, field).ok());
+  const IsolineOptions far = {
+      .levels = {0.5}, .chord_error = std::numeric_limits<double>::infinity()};
+  ASSERT_TRUE(
+      ComputeIsolines(*mesh, Valid(*mesh, query), far, {}, isolines).ok());
+  // A poll comes after 4096 ways.
+  EXPECT_GT(isolines.polls().size() - field.polls().size(),
+            kFaces * kSources * kSources / 4096);
+}
+
+// Also amid the faces at an edge.
+TEST(Stopping, FieldsGoOnWhereTheyWereStopped) {
+  const auto mesh = Mesh::Build(Pages(2 * kSteps)).value();
+  for (const AlgorithmInfo& info : kAlgorithms) {
+    SCOPED_TRACE(AlgorithmName(info.algorithm));
+    const Query query{.sources = {{FacePoint{9, {0.2, 0.3, 0.5}}},
+                                  {EdgePoint{0, 1, 0.4}},
+                                  {VertexPoint{70}}},
+                      .algorithm = info.algorithm,
+                      .trace = true};
+    const DistanceField whole = Solve(*mesh, query).value();
+    // Any two pages unfold into a plane; the sources lie in pages 9, all
+    // and 68.
+    for (uint32_t page = 0; page < mesh->face_count(); ++page) {
+      const double expected =
+          std::min({std::hypot(0.05, page == 9 ? 0.5 : 1.5),
+                    std::hypot(0.1, 1.0), page == 68 ? 0.0 : 2.0});
+      ASSERT_NEAR(whole.distances[page + 2], expected, 1e-14) << page;
+    }
+    const auto computation =
+        StartComputation(*mesh, Valid(*mesh, query), {}).value();
+    uint64_t stops = 0;
+    for (;; ++stops) {
+      RecordingCheckpoint checkpoint(2);
+      if (computation->Advance({}, checkpoint).ok()) break;
+    }
+    EXPECT_GE(stops, 3u);
+    EXPECT_EQ(computation->Field().distances, whole.distances);
+  }
 }
 
 // Each vertex is a step of its own; what is around the source is found by one

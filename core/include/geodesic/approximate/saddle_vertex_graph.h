@@ -98,7 +98,9 @@ class SaddleVertexGraph final : public PreparedMethod {
       const ValidQuery& query, Checkpoint& checkpoint) const override;
 
   explicit SaddleVertexGraph(const Mesh& mesh) : PreparedMethod(mesh) {}
-  void Join(const std::vector<std::vector<Arc>>& found);
+  // Errors: whatever `checkpoint` returns.
+  absl::Status Join(const std::vector<std::vector<Arc>>& found,
+                    Checkpoint& checkpoint);
 
   std::vector<uint64_t> begin_;  // V + 1
   std::vector<Arc> arcs_;

@@ -92,6 +92,7 @@ absl::Status ArcSampler::Along(const FrontArc& arc) const {
 
 absl::Status ArcSampler::Within(std::span<const FrontArc> arcs) const {
   if (arcs.empty()) return absl::OkStatus();
+  if (absl::Status status = step_(arcs.size()); !status.ok()) return status;
   const Chord chord(arcs.front().From(), arcs.back().To());
   double farthest = 0;
   for (const FrontArc& arc : arcs) {

@@ -19,9 +19,12 @@ class ArcSampler {
   // Takes the next point; what it returns stops the sampling.
   using Emit = std::function<absl::Status(const PlanePoint&)>;
 
-  // `emit` outlives this object.
-  ArcSampler(double chord_error, const Emit& emit)
-      : chord_error_(chord_error), emit_(emit) {}
+  // Told how many arcs were looked at; what it returns stops the sampling.
+  using Step = FaceWays::Step;
+
+  // `emit` and `step` outlive this object.
+  ArcSampler(double chord_error, const Emit& emit, const Step& step)
+      : chord_error_(chord_error), emit_(emit), step_(step) {}
 
   // What lies between the ends; at least two points where they coincide.
   absl::Status Between(std::span<const FrontArc> arcs) const;
@@ -37,6 +40,7 @@ class ArcSampler {
 
   const double chord_error_;
   const Emit& emit_;
+  const Step& step_;
 };
 
 }  // namespace geodesic

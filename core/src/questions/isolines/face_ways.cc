@@ -141,14 +141,16 @@ bool FaceWays::IsCovered(const FaceWay& disc) const {
 }
 
 bool FaceWays::IsKnownToBeCovered(size_t disc) {
-  covers_.resize(ways_.size());
   std::optional<bool>& cover = covers_[disc];
   if (!cover.has_value()) cover = IsCovered(ways_[disc]);
   return *cover;
 }
 
-std::optional<DirectionCone> FaceWays::DirectionsAt(
-    double level, const Neighbourhood& there) {
+absl::StatusOr<std::optional<DirectionCone>> FaceWays::DirectionsAt(
+    double level, const Neighbourhood& there, const Step& step) {
+  absl::Status status = step(2 * ways_.size());
+  if (!status.ok()) return status;
+  covers_.resize(ways_.size());
   DirectionCone cone;
   for (const FaceWay& way : ways_) {
     if (way.bound_count == 0 || !way.MayHaveFront(level)) continue;
@@ -166,10 +168,10 @@ std::optional<DirectionCone> FaceWays::DirectionsAt(
   }
   for (size_t i = 0; i < ways_.size(); ++i) {
     const FaceWay& way = ways_[i];
-    if (way.bound_count > 0 || !way.MayHaveFront(level) ||
-        IsKnownToBeCovered(i)) {
-      continue;
-    }
+    if (way.bound_count > 0 || !way.MayHaveFront(level)) continue;
+    if (!covers_[i].has_value()) status = step(ways_.size());
+    if (!status.ok()) return status;
+    if (IsKnownToBeCovered(i)) continue;
     for (const PlanePoint& corner : corners_) {
       const PlanePoint ray = corner - way.from;
       if (Norm(ray) > kRoundedPlace && !cone.Add(ray)) return std::nullopt;

@@ -7,10 +7,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
 #include "geodesic/mesh.h"
 #include "geodesic/surface_point.h"
 #include "questions/isolines/direction_cone.h"
@@ -68,6 +71,9 @@ struct FaceWay {
 // the face below a level is convex.
 class FaceWays {
  public:
+  // Told how much was done, in ways looked at. What it returns stops the work.
+  using Step = std::function<absl::Status(uint64_t work)>;
+
   FaceWays(const Mesh& mesh, uint32_t face);
 
   // A way into the face through its half-edge h. `at_ends`: the distances of
@@ -92,8 +98,9 @@ class FaceWays {
   // they run there; none if these are not known to lie within a half turn. If
   // they do, no isoline is closed in the face. Discs around places that windows
   // pass on both sides are not on the isolines.
-  std::optional<DirectionCone> DirectionsAt(double level,
-                                            const Neighbourhood& there);
+  // Errors: whatever `step` returns.
+  absl::StatusOr<std::optional<DirectionCone>> DirectionsAt(
+      double level, const Neighbourhood& there, const Step& step);
   bool has_sources() const { return has_sources_; }
   const std::array<PlanePoint, 3>& corners() const { return corners_; }
   // What lies inside of each side.

@@ -2,12 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
-#include <numeric>
 #include <optional>
-#include <tuple>
-#include <variant>
 
 #include "absl/strings/str_cat.h"
 #include "geodesic_types/field_path.h"
@@ -26,35 +22,26 @@ constexpr uint64_t kMostSamples = 10'000'000;
 // kAtLevel.
 constexpr double kNearCrossing = 1e-5;
 
+// So many ways are compared with another in the time of one step.
+constexpr size_t kWaysAStep = 8;
+
 // A face that is no higher has hardly a plane, and no room for arcs.
 constexpr double kFlatFace = 1e-9;
 
 }  // namespace
 
-LevelCrossings::LevelCrossings(const Mesh& mesh,
-                               std::span<const Anchor> anchors,
+LevelCrossings::LevelCrossings(const Mesh& mesh, std::vector<Anchor> anchors,
                                std::span<const double> levels,
                                const Accuracy& accuracy, IsolineBand& band)
     : mesh_(mesh),
       levels_(levels),
       accuracy_(accuracy),
       band_(band),
+      anchors_(std::move(anchors)),
+      sources_(mesh, anchors_),
       segments_(levels.size()),
       loops_(levels.size()),
-      doubts_(levels.size()) {
-  for (const Anchor& anchor : anchors) {
-    const double sigma = std::ldexp(anchor.offset, -mesh.scale_exponent());
-    if (anchor.is_segment) {
-      for (const CurveSegment& segment : SegmentsOf(mesh, anchor)) {
-        within_[segment.face()].segments.push_back({segment, sigma});
-      }
-    } else if (!std::holds_alternative<VertexPoint>(anchor.begin)) {
-      for (const FacePoint& point : FacesAround(mesh, anchor.begin)) {
-        within_[point.face].points.push_back({point, sigma});
-      }
-    }
-  }
-}
+      doubts_(levels.size()) {}
 
 absl::Status LevelCrossings::Work(uint64_t amount, const Poll& poll) {
   constexpr uint64_t kBetweenPolls = 4096;
@@ -81,13 +68,14 @@ absl::Status LevelCrossings::Settle(std::span<const double> distances,
 absl::Status LevelCrossings::Finish(std::span<const double> distances,
                                     const Poll& poll) {
   for (uint32_t face = 0; face < mesh_.face_count(); ++face) {
+    if (absl::Status status = Work(1, poll); !status.ok()) return status;
     if (mesh_.IsLeftOut(face) || band_.IsClosed(face)) continue;
     // What crosses a face comes from one of its corners, from a source in it
     // or through it.
     const auto& [a, b, c] = mesh_.triangle(face);
     if (std::min({distances[a], distances[b], distances[c]}) >=
             levels_.back() &&
-        !band_.HasWindows(face) && !within_.contains(face)) {
+        !band_.HasWindows(face) && !sources_.HasAny(face)) {
       continue;
     }
     if (absl::Status status = DealWith(face, distances, poll); !status.ok()) {
@@ -97,54 +85,10 @@ absl::Status LevelCrossings::Finish(std::span<const double> distances,
   return absl::OkStatus();
 }
 
-absl::StatusOr<std::vector<Isoline>> LevelCrossings::Isolines(
-    std::span<const double> file_levels, const Poll& poll) {
-  // The crossings in order of levels, of edges and along these; the place of
-  // each among those of its level.
-  std::vector<uint32_t> in_order(crossings_.size());
-  std::iota(in_order.begin(), in_order.end(), 0u);
-  std::ranges::sort(in_order, {}, [&](uint32_t c) {
-    const auto& [level, edge, x] = crossings_[c];
-    return std::tuple(level, edge, x);
-  });
-  std::vector<uint32_t> place(crossings_.size());
-  std::vector<Isoline> isolines;
-  uint32_t begin = 0;
-  for (uint32_t level = 0; level < levels_.size(); ++level) {
-    uint32_t end = begin;
-    for (; end < in_order.size() && crossings_[in_order[end]].level == level;
-         ++end) {
-      place[in_order[end]] = end - begin;
-    }
-    std::vector<Segment> segments = segments_[level];
-    for (Segment& segment : segments) {
-      segment.from = place[segment.from];
-      segment.to = place[segment.to];
-    }
-    absl::Status status = AddIsolines(
-        file_levels[level], std::span(in_order).subspan(begin, end - begin),
-        segments, poll, isolines);
-    // Faces come in any order.
-    std::ranges::stable_sort(loops_[level], {}, &Loop::face);
-    for (const auto& [face, first, count] : loops_[level]) {
-      if (!status.ok()) return status;
-      std::vector<SurfacePoint> points;
-      for (uint32_t i = first; i < first + count; ++i) {
-        points.push_back(PointAt(samples_[i]));
-      }
-      AddIsoline(file_levels[level], std::move(points), true, isolines);
-      status = Work(count, poll);
-    }
-    if (!status.ok()) return status;
-    begin = end;
-  }
-  return isolines;
-}
-
 uint64_t LevelCrossings::bytes() const {
   uint64_t bytes = crossings_.capacity() * sizeof(Crossing) +
                    edges_.capacity() * sizeof(std::pair<HalfEdge, Range>) +
-                   samples_.capacity() * sizeof(FacePoint) + isoline_bytes_;
+                   samples_.size() * sizeof(FacePoint) + isoline_bytes_;
   for (const auto& segments : segments_) {
     bytes += segments.capacity() * sizeof(Segment);
   }
@@ -181,13 +125,12 @@ LevelCrossings::Range LevelCrossings::LevelsIn(
     nearest = std::min(nearest, distances[mesh_.From(h)]);
     farthest = std::max(farthest, Farthest(h, distances));
   }
-  if (const auto found = within_.find(face); found != within_.end()) {
-    for (const auto& [point, sigma] : found->second.points) {
-      nearest = std::min(nearest, sigma);
-    }
-    for (const auto& [segment, sigma] : found->second.segments) {
-      nearest = std::min(nearest, sigma);
-    }
+  const FaceSources::Within within = sources_.In(face);
+  for (const auto& [point, sigma] : within.points) {
+    nearest = std::min(nearest, sigma);
+  }
+  for (const auto& [segment, sigma] : within.segments) {
+    nearest = std::min(nearest, sigma);
   }
   farthest += InradiusOf(mesh_, first);
   const auto begin = std::ranges::upper_bound(levels_, nearest);
@@ -196,24 +139,39 @@ LevelCrossings::Range LevelCrossings::LevelsIn(
           static_cast<size_t>(std::max(begin, end) - levels_.begin())};
 }
 
-LevelCrossings::Range LevelCrossings::CrossingsOf(
-    HalfEdge h, std::span<const double> distances) {
+absl::StatusOr<LevelCrossings::Range> LevelCrossings::CrossingsOf(
+    HalfEdge h, std::span<const double> distances, const Poll& poll) {
   const auto [begin, end] = LevelsOn(h, distances);
-  if (begin == end) return {};
+  if (begin == end) return Range();
   const auto [low, high] = std::minmax({mesh_.From(h), mesh_.To(h)});
   const HalfEdge edge = mesh_.FirstOfEdge(h);
   const auto [known, is_new] = edges_.try_emplace(edge);
   if (!is_new) return known->second;
+  const double length = mesh_.frame(h).length;
+  std::vector<LevelOnEdge> on_edge;
+  for (size_t level = begin; level < end; ++level) {
+    on_edge.emplace_back(levels_[level], length, distances[low],
+                         distances[high]);
+  }
+  std::vector<Way> ways;
+  absl::Status status;
+  const auto add_side = [&](HalfEdge side) {
+    if (!status.ok()) return;
+    ways.clear();
+    AddWaysTo(side, low, distances, ways);
+    for (LevelOnEdge& level : on_edge) {
+      level.Add(ways);
+      status.Update(Work(1 + ways.size(), poll));
+    }
+  };
+  add_side(h);
+  mesh_.ForEachBeyond(h, [&](HalfEdge other, bool) { add_side(other); });
+  if (!status.ok()) return status;
   Range& range = known->second;
   range.begin = crossings_.size();
-  std::vector<HalfEdge> sides = {h};
-  mesh_.ForEachBeyond(h, [&](HalfEdge other, bool) { sides.push_back(other); });
-  const std::vector<Way> ways = WaysTo(sides, low, distances);
   for (size_t level = begin; level < end; ++level) {
     bool have_met = false;
-    for (const double x :
-         CrossingsOfEdge(levels_[level], mesh_.frame(h).length, distances[low],
-                         distances[high], ways, have_met)) {
+    for (const double x : on_edge[level - begin].Crossings(have_met)) {
       crossings_.push_back({static_cast<uint32_t>(level), edge, x});
     }
     if (have_met) SetDoubt(level, Doubt::kMeeting);
@@ -222,64 +180,70 @@ LevelCrossings::Range LevelCrossings::CrossingsOf(
   return range;
 }
 
-std::vector<Way> LevelCrossings::WaysTo(
-    std::span<const HalfEdge> sides, uint32_t from,
-    std::span<const double> distances) const {
-  std::vector<Way> ways;
-  for (const HalfEdge h : sides) {
-    const HalfEdgeFrame& frame = mesh_.frame(h);
-    const bool is_forward = mesh_.From(h) == from;
-    const auto add = [&](const Way& way) {
-      ways.push_back(is_forward ? way : Mirror(way, frame.length));
-    };
-    band_.ForEach(h, add);
-    const double apex = distances[mesh_.Apex(h)];
-    if (apex < levels_.back()) {
-      add({{0, frame.length}, {frame.apex_x, frame.apex_y, apex}});
-    }
-    if (const auto found = within_.find(mesh_.FaceOf(h));
-        found != within_.end()) {
-      for (const auto& [point, sigma] : found->second.points) {
-        const PlanePoint at = InFrame(mesh_, point, h);
-        add({{0, frame.length}, {at.x, std::max(at.y, kLeastHeight), sigma}});
-      }
-      for (const auto& [segment, sigma] : found->second.segments) {
-        const auto way = GoFromSegment(h, mesh_, segment, sigma);
-        if (way.has_value()) add(*way);
-      }
-    }
-    if (sides.size() > 1) continue;
-    // No window leaves through a boundary.
-    for (const HalfEdge entry : {Next(h), Prev(h)}) {
-      band_.ForEach(entry, [&](const Way& way) {
-        const std::optional<Way> on = GoOnTo(h, mesh_, entry, way);
-        if (on.has_value()) add(Mirror(*on, frame.length));
-      });
-    }
+void LevelCrossings::AddWaysTo(HalfEdge h, uint32_t from,
+                               std::span<const double> distances,
+                               std::vector<Way>& ways) const {
+  const HalfEdgeFrame& frame = mesh_.frame(h);
+  const bool is_forward = mesh_.From(h) == from;
+  const auto add = [&](const Way& way) {
+    ways.push_back(is_forward ? way : Mirror(way, frame.length));
+  };
+  band_.ForEach(h, add);
+  const double apex = distances[mesh_.Apex(h)];
+  if (apex < levels_.back()) {
+    add({{0, frame.length}, {frame.apex_x, frame.apex_y, apex}});
   }
-  return ways;
+  const FaceSources::Within within = sources_.In(mesh_.FaceOf(h));
+  for (const auto& [point, sigma] : within.points) {
+    const PlanePoint at = InFrame(mesh_, point, h);
+    add({{0, frame.length}, {at.x, std::max(at.y, kLeastHeight), sigma}});
+  }
+  for (const auto& [segment, sigma] : within.segments) {
+    const auto way = GoFromSegment(h, mesh_, segment, sigma);
+    if (way.has_value()) add(*way);
+  }
+  if (!mesh_.IsBoundaryEdge(h)) return;
+  // No window leaves through a boundary.
+  for (const HalfEdge entry : {Next(h), Prev(h)}) {
+    band_.ForEach(entry, [&](const Way& way) {
+      const std::optional<Way> on = GoOnTo(h, mesh_, entry, way);
+      if (on.has_value()) add(Mirror(*on, frame.length));
+    });
+  }
 }
 
-void LevelCrossings::AddWays(uint32_t face, std::span<const double> distances,
-                             FaceWays& ways) const {
+absl::Status LevelCrossings::AddWays(uint32_t face,
+                                     std::span<const double> distances,
+                                     FaceWays& ways, const Poll& poll) {
+  absl::Status status;
+  // Each looks at those that are there.
+  const auto add = [&](const auto& add_one) {
+    if (!status.ok()) return;
+    add_one();
+    status = Work(ways.ways().size() / kWaysAStep, poll);
+  };
   const HalfEdge first = mesh_.FirstSide(face);
   for (HalfEdge h = first; h < first + 3; ++h) {
     ways.AddCorner(h % 3, distances[mesh_.From(h)]);
   }
   for (HalfEdge h = first; h < first + 3; ++h) {
     band_.ForEach(h, [&](const Way& way) {
-      ways.AddThrough(h, way,
-                      {distances[mesh_.From(h)], distances[mesh_.To(h)]});
+      add([&] {
+        ways.AddThrough(h, way,
+                        {distances[mesh_.From(h)], distances[mesh_.To(h)]});
+      });
     });
   }
-  if (const auto found = within_.find(face); found != within_.end()) {
-    for (const auto& [point, sigma] : found->second.points) {
-      ways.AddWithin(point, sigma);
-    }
-    for (const auto& [segment, sigma] : found->second.segments) {
-      ways.AddWithin(segment, sigma);
-    }
+  const FaceSources::Within within = sources_.In(face);
+  for (const auto& [point, sigma] : within.points) {
+    add([&, &point = point, sigma = sigma] { ways.AddWithin(point, sigma); });
   }
+  for (const auto& [segment, sigma] : within.segments) {
+    add([&, &segment = segment, sigma = sigma] {
+      ways.AddWithin(segment, sigma);
+    });
+  }
+  return status;
 }
 
 absl::Status LevelCrossings::DealWith(uint32_t face,
@@ -292,15 +256,17 @@ absl::Status LevelCrossings::DealWith(uint32_t face,
     end = 0;
   }
   for (uint32_t side = 0; side < 3; ++side) {
-    ranges[side] = CrossingsOf(mesh_.FirstSide(face) + side, distances);
-    const Range& range = ranges[side];
+    const absl::StatusOr<Range> found =
+        CrossingsOf(mesh_.FirstSide(face) + side, distances, poll);
+    if (!found.ok()) return found.status();
+    const Range& range = ranges[side] = *found;
     if (range.begin == range.end) continue;
     begin = std::min<size_t>(begin, crossings_[range.begin].level);
     end = std::max<size_t>(end, crossings_[range.end - 1].level + 1);
   }
   if (begin < end) {
     FaceWays ways(mesh_, face);
-    const bool has_sources = within_.contains(face);
+    const bool has_sources = sources_.HasAny(face);
     for (size_t level = begin; level < end; ++level) {
       auto [entries, exits] = Perimeter(
           ways, face, static_cast<uint32_t>(level), ranges, distances);
@@ -309,10 +275,12 @@ absl::Status LevelCrossings::DealWith(uint32_t face,
           !IsNearer(distances[mesh_.triangle(face)[0]], levels_[level])) {
         continue;
       }
-      if (ways.ways().empty()) AddWays(face, distances, ways);
-      absl::Status status =
-          DrawLevel(ways, face, static_cast<uint32_t>(level),
-                    std::move(entries), std::move(exits), poll);
+      absl::Status status;
+      if (ways.ways().empty()) status = AddWays(face, distances, ways, poll);
+      if (status.ok()) {
+        status = DrawLevel(ways, face, static_cast<uint32_t>(level),
+                           std::move(entries), std::move(exits), poll);
+      }
       if (!status.ok()) return status;
     }
   }
@@ -366,10 +334,9 @@ void LevelCrossings::Join(uint32_t level, const Place& entry, Place& exit,
        static_cast<uint32_t>(samples_.size()) - first_sample});
 }
 
-bool LevelCrossings::IsChordEnough(FaceWays& ways, uint32_t level,
-                                   const DirectionCone& directions,
-                                   const Place& entry,
-                                   const Place& exit) const {
+absl::StatusOr<bool> LevelCrossings::IsChordEnough(
+    FaceWays& ways, uint32_t level, const DirectionCone& directions,
+    const Place& entry, const Place& exit, const FaceWays::Step& step) const {
   const PlanePoint chord = exit.place - entry.place;
   double distance = ways.size();
   std::optional<DirectionCone> there = directions;
@@ -378,8 +345,10 @@ bool LevelCrossings::IsChordEnough(FaceWays& ways, uint32_t level,
     const double farthest = there->FarthestFrom(chord);
     if (farthest > distance / 2 && farthest > ChordError(level)) return false;
     distance = farthest;
-    there =
-        ways.DirectionsAt(levels_[level], {entry.place, exit.place, distance});
+    const auto found = ways.DirectionsAt(
+        levels_[level], {entry.place, exit.place, distance}, step);
+    if (!found.ok()) return found.status();
+    there = *found;
     if (!there.has_value()) return false;
   }
   return true;
@@ -391,7 +360,7 @@ absl::Status LevelCrossings::DrawLevel(FaceWays& ways, uint32_t face,
                                        std::vector<Place> exits,
                                        const Poll& poll) {
   const double at_level = levels_[level];
-  const LevelTracer::Step step = [&](uint64_t amount) {
+  const FaceWays::Step step = [&](uint64_t amount) {
     return Work(amount, poll);
   };
   const ArcSampler::Emit emit = [&](const PlanePoint& place) {
@@ -405,7 +374,7 @@ absl::Status LevelCrossings::DrawLevel(FaceWays& ways, uint32_t face,
     samples_.push_back(ways.PointAt(place));
     return Work(1, poll);
   };
-  const ArcSampler sampler(ChordError(level), emit);
+  const ArcSampler sampler(ChordError(level), emit, step);
   const auto next_sample = [&] {
     return static_cast<uint32_t>(samples_.size());
   };
@@ -428,13 +397,19 @@ absl::Status LevelCrossings::DrawLevel(FaceWays& ways, uint32_t face,
   absl::Status status = step(64);
   std::optional<DirectionCone> directions;
   if (!ways.has_sources()) {
-    directions = ways.DirectionsAt(at_level, {{}, {}, ways.size()});
+    auto found = ways.DirectionsAt(at_level, {{}, {}, ways.size()}, step);
+    if (!found.ok()) return found.status();
+    directions = *found;
   }
   const bool may_have_loops = !directions.has_value();
-  if (!may_have_loops && entries.size() == 1 && exits.size() == 1 &&
-      IsChordEnough(ways, level, *directions, entries[0], exits[0])) {
-    Join(level, entries[0], exits[0], next_sample());
-    return status;
+  if (!may_have_loops && entries.size() == 1 && exits.size() == 1) {
+    const absl::StatusOr<bool> is_enough =
+        IsChordEnough(ways, level, *directions, entries[0], exits[0], step);
+    if (!is_enough.ok()) return is_enough.status();
+    if (*is_enough) {
+      Join(level, entries[0], exits[0], next_sample());
+      return status;
+    }
   }
   const bool is_flat = !(ways.height() > kFlatFace * ways.size());
   const double near =
@@ -443,6 +418,9 @@ absl::Status LevelCrossings::DrawLevel(FaceWays& ways, uint32_t face,
     LevelTracer tracer(ways, at_level, step);
     bool may_be_lost = false, is_astray = false;
     for (Place& entry : entries) {
+      // Which exit is nearest, and whether it leads back.
+      status.Update(step(2 * exits.size()));
+      if (!status.ok()) return status;
       absl::StatusOr<LevelTracer::Trace> trace = tracer.TraceFrom(entry.place);
       if (!trace.ok()) return trace.status();
       may_be_lost |= leads_back(entry.place) && trace->arcs.empty();
@@ -483,6 +461,8 @@ absl::Status LevelCrossings::DrawLevel(FaceWays& ways, uint32_t face,
   // Where rounding decides.
   for (const Place& entry : entries) {
     if (entry.is_taken) continue;
+    status.Update(step(exits.size()));
+    if (!status.ok()) return status;
     const auto exit = nearest_exit(entry.place);
     const bool has_exit = exit != exits.end() && !exit->is_taken;
     if (!is_flat && !(has_exit && Norm(exit->place - entry.place) <= near)) {
@@ -492,69 +472,6 @@ absl::Status LevelCrossings::DrawLevel(FaceWays& ways, uint32_t face,
     Join(level, entry, *exit, next_sample());
   }
   return status;
-}
-
-void LevelCrossings::AddIsoline(double level, std::vector<SurfacePoint> points,
-                                bool is_closed,
-                                std::vector<Isoline>& isolines) {
-  while (is_closed && points.size() > 1 && points.back() == points.front()) {
-    points.pop_back();
-  }
-  if (points.size() < 2) return;
-  isoline_bytes_ += points.size() * (sizeof(SurfacePoint) + sizeof(Point));
-  std::vector<Point> positions;
-  positions.reserve(points.size());
-  for (const SurfacePoint& point : points) {
-    positions.push_back(PositionOf(point, mesh_));
-  }
-  isolines.push_back(
-      {level, std::move(points), std::move(positions), is_closed});
-}
-
-absl::Status LevelCrossings::AddIsolines(double level,
-                                         std::span<const uint32_t> of_level,
-                                         std::span<const Segment> segments,
-                                         const Poll& poll,
-                                         std::vector<Isoline>& isolines) {
-  const auto count = static_cast<uint32_t>(of_level.size());
-  for (const Chain& chain : ChainsOf(count, segments)) {
-    std::vector<SurfacePoint> points;
-    // An isoline through a vertex crosses several edges there.
-    const auto add = [&](const SurfacePoint& point) {
-      if (points.empty() || points.back() != point) points.push_back(point);
-    };
-    for (size_t i = 0; i < chain.crossings.size(); ++i) {
-      add(PointAt(crossings_[of_level[chain.crossings[i]]]));
-      if (i == chain.links.size()) continue;
-      const auto [number, is_forward] = chain.links[i];
-      const Segment& segment = segments[number];
-      for (uint32_t k = 0; k < segment.sample_count; ++k) {
-        const uint32_t sample = is_forward ? k : segment.sample_count - 1 - k;
-        add(PointAt(samples_[segment.first_sample + sample]));
-      }
-    }
-    const size_t point_count = points.size();
-    AddIsoline(level, std::move(points), chain.is_closed, isolines);
-    if (absl::Status status = Work(point_count, poll); !status.ok()) {
-      return status;
-    }
-  }
-  return absl::OkStatus();
-}
-
-SurfacePoint LevelCrossings::PointAt(const Crossing& crossing) const {
-  const auto& [level, edge, x] = crossing;
-  const auto [low, high] = std::minmax({mesh_.From(edge), mesh_.To(edge)});
-  return NamedIn(
-      mesh_.FaceOf(edge),
-      Canonicalize(
-          EdgePoint{low, high, std::min(x / mesh_.frame(edge).length, 1.0)},
-          mesh_),
-      mesh_);
-}
-
-SurfacePoint LevelCrossings::PointAt(const FacePoint& sample) const {
-  return NamedIn(sample.face, Canonicalize(sample, mesh_), mesh_);
 }
 
 }  // namespace geodesic

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <span>
 #include <utility>
@@ -18,6 +19,7 @@
 #include "geodesic/isolines.h"
 #include "geodesic/mesh.h"
 #include "questions/isolines/chaining.h"
+#include "questions/isolines/face_sources.h"
 #include "questions/isolines/face_ways.h"
 #include "questions/isolines/isoline_band.h"
 #include "questions/isolines/level_tracer.h"
@@ -43,7 +45,7 @@ class LevelCrossings {
 
   // `levels` rise and outlive this object, as does `band`, which hears of all
   // windows.
-  LevelCrossings(const Mesh& mesh, std::span<const Anchor> anchors,
+  LevelCrossings(const Mesh& mesh, std::vector<Anchor> anchors,
                  std::span<const double> levels, const Accuracy& accuracy,
                  IsolineBand& band);
 
@@ -92,11 +94,6 @@ class LevelCrossings {
     size_t begin = 0;
     size_t end = 0;
   };
-  // What starts in one face, and its distance there.
-  struct Within {
-    std::vector<std::pair<FacePoint, double>> points;
-    std::vector<std::pair<CurveSegment, double>> segments;
-  };
   // A crossing on a face's perimeter.
   struct Place {
     PlanePoint place;
@@ -115,13 +112,15 @@ class LevelCrossings {
   // The levels that may be found on an edge, or in a face but for edges.
   Range LevelsOn(HalfEdge h, std::span<const double> distances) const;
   Range LevelsIn(uint32_t face, std::span<const double> distances) const;
-  Range CrossingsOf(HalfEdge h, std::span<const double> distances);
-  // All ways to the points of an edge but those along it from its ends, as seen
-  // from its end `from`.
-  std::vector<Way> WaysTo(std::span<const HalfEdge> sides, uint32_t from,
-                          std::span<const double> distances) const;
-  void AddWays(uint32_t face, std::span<const double> distances,
-               FaceWays& ways) const;
+  absl::StatusOr<Range> CrossingsOf(HalfEdge h,
+                                    std::span<const double> distances,
+                                    const Poll& poll);
+  // Adds all ways to the points of an edge by its side h but those along it
+  // from its ends, as seen from its end `from`.
+  void AddWaysTo(HalfEdge h, uint32_t from, std::span<const double> distances,
+                 std::vector<Way>& ways) const;
+  absl::Status AddWays(uint32_t face, std::span<const double> distances,
+                       FaceWays& ways, const Poll& poll);
 
   absl::Status DealWith(uint32_t face, std::span<const double> distances,
                         const Poll& poll);
@@ -135,9 +134,10 @@ class LevelCrossings {
       std::span<const double> distances) const;
   // Whether a chord is known to be near enough to the only isoline in a face.
   // `directions`: of all ways that may have a front there.
-  bool IsChordEnough(FaceWays& ways, uint32_t level,
-                     const DirectionCone& directions, const Place& entry,
-                     const Place& exit) const;
+  absl::StatusOr<bool> IsChordEnough(FaceWays& ways, uint32_t level,
+                                     const DirectionCone& directions,
+                                     const Place& entry, const Place& exit,
+                                     const FaceWays::Step& step) const;
   absl::Status DrawLevel(FaceWays& ways, uint32_t face, uint32_t level,
                          std::vector<Place> entries, std::vector<Place> exits,
                          const Poll& poll);
@@ -150,6 +150,8 @@ class LevelCrossings {
   void Join(uint32_t level, const Place& entry, Place& exit,
             uint32_t first_sample);
 
+  // The numbers of crossings in order of levels, of edges and along these.
+  absl::StatusOr<std::vector<uint32_t>> InOrder(const Poll& poll);
   SurfacePoint PointAt(const Crossing& crossing) const;
   SurfacePoint PointAt(const FacePoint& sample) const;
   void AddIsoline(double level, std::vector<SurfacePoint> points,
@@ -163,13 +165,14 @@ class LevelCrossings {
   const std::span<const double> levels_;
   const Accuracy accuracy_;
   IsolineBand& band_;
-  // Sources that are no vertices, in the faces around them.
-  absl::flat_hash_map<uint32_t, Within> within_;
+  const std::vector<Anchor> anchors_;
+  const FaceSources sources_;
   absl::flat_hash_map<HalfEdge, Range> edges_;
   std::vector<Crossing> crossings_;
   uint64_t work_ = 0;
-  // Inside faces; of segments and loops, each of which has some in a row.
-  std::vector<FacePoint> samples_;
+  // Inside faces; of segments and loops, each of which has some in a row. They
+  // are too many to be moved in one go.
+  std::deque<FacePoint> samples_;
   std::vector<std::vector<Segment>> segments_;  // of each level
   std::vector<std::vector<Loop>> loops_;        // of each level
   std::vector<Doubt> doubts_;                   // of each level

@@ -217,6 +217,9 @@ absl::StatusOr<bool> LevelTracer::HasUntraced() {
       return status;
     }
     for (const double at : BarePlaces(front)) {
+      if (absl::Status status = step_(traced_.size()); !status.ok()) {
+        return status;
+      }
       if (!IsTraced(front.At(at))) return true;
     }
   }
@@ -231,6 +234,9 @@ absl::StatusOr<std::vector<std::vector<FrontArc>>> LevelTracer::Loops() {
       return status;
     }
     for (const double at : BarePlaces(front)) {
+      if (absl::Status status = step_(traced_.size()); !status.ok()) {
+        return status;
+      }
       const PlanePoint place = front.At(at);
       if (IsTraced(place)) continue;
       const Stretch stretch = NextStretch(front, at);

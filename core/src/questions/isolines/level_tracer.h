@@ -4,7 +4,6 @@
 #define GEODESIC_QUESTIONS_ISOLINES_LEVEL_TRACER_H_
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -35,8 +34,7 @@ struct FrontArc {
 // where its way does, at which place others pass on.
 class LevelTracer {
  public:
-  // Told how much was done, in ways looked at. What it returns stops a trace.
-  using Step = std::function<absl::Status(uint64_t work)>;
+  using Step = FaceWays::Step;
 
   // All outlive this object.
   LevelTracer(const FaceWays& ways, double level, const Step& step);

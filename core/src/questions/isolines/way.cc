@@ -48,29 +48,46 @@ bool IsAt(double level, double distance) {
 
 }  // namespace
 
-std::vector<double> CrossingsOfEdge(double level, double length, double p,
-                                    double q, std::span<const Way> ways,
-                                    bool& have_met) {
-  // Within [0, length], but for the part of a nearer end, which begins or ends
-  // at infinity.
-  std::vector<Interval> parts;
+LevelOnEdge::LevelOnEdge(double level, double length, double p, double q)
+    : level_(level), length_(length), p_(p), q_(q) {
   if (IsNearer(p, level)) {
-    parts.push_back({-kInfinity, std::min(level - p, length)});
+    parts_.push_back({-kInfinity, std::min(level - p, length)});
   }
   if (IsNearer(q, level)) {
-    parts.push_back({std::max(length - (level - q), 0.0), kInfinity});
+    parts_.push_back({std::max(length - (level - q), 0.0), kInfinity});
   }
+}
+
+void LevelOnEdge::Add(std::span<const Way> ways) {
   for (const Way& way : ways) {
-    const std::optional<Interval> part = NearerPart(way, level);
-    if (!part.has_value() || part->end < 0 || part->begin > length) continue;
-    parts.push_back({std::max(part->begin, 0.0), std::min(part->end, length)});
+    const std::optional<Interval> part = NearerPart(way, level_);
+    if (!part.has_value() || part->end < 0 || part->begin > length_) continue;
+    if (parts_.size() == most_parts_) DropCovered();
+    parts_.push_back(
+        {std::max(part->begin, 0.0), std::min(part->end, length_)});
   }
-  std::ranges::sort(parts, {}, &Interval::begin);
+}
+
+void LevelOnEdge::DropCovered() {
+  std::ranges::sort(parts_, [](const Interval& a, const Interval& b) {
+    return a.begin != b.begin ? a.begin < b.begin : a.end > b.end;
+  });
+  double covered_to = -kInfinity;
+  std::erase_if(parts_, [&](const Interval& part) {
+    if (part.end <= covered_to) return true;
+    covered_to = part.end;
+    return false;
+  });
+  most_parts_ = std::max(2 * parts_.size(), kMostParts);
+}
+
+std::vector<double> LevelOnEdge::Crossings(bool& have_met) {
+  std::ranges::sort(parts_, {}, &Interval::begin);
   std::vector<Interval> pieces;
-  const double point = kMeetingPoint * (level + length);
-  for (const Interval& part : parts) {
+  const double point = kMeetingPoint * (level_ + length_);
+  for (const Interval& part : parts_) {
     if (!pieces.empty() &&
-        part.begin <= pieces.back().end + kLeastWidth * length) {
+        part.begin <= pieces.back().end + kLeastWidth * length_) {
       const double meeting = pieces.back().end;
       have_met |= part.begin > meeting - point && part.end > meeting + point &&
                   pieces.back().begin < meeting - point;
@@ -79,13 +96,13 @@ std::vector<double> CrossingsOfEdge(double level, double length, double p,
       pieces.push_back(part);
     }
   }
-  const double snap = kNearMiss * length;
+  const double snap = kNearMiss * length_;
   std::vector<double> crossings;
   for (Interval& piece : pieces) {
     for (double* end : {&piece.begin, &piece.end}) {
       if (!std::isfinite(*end)) continue;
-      if (*end <= snap && IsAt(level, p)) *end = 0;
-      if (*end >= length - snap && IsAt(level, q)) *end = length;
+      if (*end <= snap && IsAt(level_, p_)) *end = 0;
+      if (*end >= length_ - snap && IsAt(level_, q_)) *end = length_;
     }
     if (!(piece.width() > 0)) continue;
     if (std::isfinite(piece.begin)) crossings.push_back(piece.begin);

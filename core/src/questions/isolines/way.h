@@ -47,9 +47,29 @@ inline Way Mirror(const Way& way, double length) {
 // of edges as many crossings lead in as out, whatever rounding does.
 //
 // Parts that meet in a point count as one; `have_met` becomes true then.
-std::vector<double> CrossingsOfEdge(double level, double length, double p,
-                                    double q, std::span<const Way> ways,
-                                    bool& have_met);
+class LevelOnEdge {
+ public:
+  LevelOnEdge(double level, double length, double p, double q);
+
+  // Takes some of the ways.
+  void Add(std::span<const Way> ways);
+  // Once all are there.
+  std::vector<double> Crossings(bool& have_met);
+
+ private:
+  // Parts that are kept before those within others are dropped: of edges with
+  // very many faces nearly all.
+  static constexpr size_t kMostParts = 1024;
+
+  void DropCovered();
+
+  double level_, length_;
+  double p_, q_;  // distances of the ends
+  // Within [0, length], but for the part of a nearer end, which begins or ends
+  // at infinity.
+  std::vector<Interval> parts_;
+  size_t most_parts_ = kMostParts;
+};
 
 // What of a way into the face of h goes on to `side`, another half-edge of that
 // face, in the frame of `side` mirrored; none if it misses.

@@ -18,6 +18,7 @@
 #include "absl/status/status.h"
 #include "absl/strings/str_cat.h"
 #include "geodesic_types/field_path.h"
+#include "solver/queues/queue.h"
 #include "solver/work_meter.h"
 #include "surface/compass.h"
 #include "tolerances.h"
@@ -391,14 +392,19 @@ absl::StatusOr<TracedLine> LineTracer::Trace(const LineDirection& direction,
     absl::Status valid = Validate(*place, *mesh_, "direction");
     if (!valid.ok()) return valid;
   }
+  absl::Status status = checkpoint.Poll({});
+  if (!status.ok()) return status;
   const absl::StatusOr<Heading> heading = HeadingOf(direction);
   if (!heading.ok()) {
     return InvalidField(
         "direction",
         absl::StrCat("direction: ", std::string(heading.status().message())));
   }
-  absl::Status status = checkpoint.Poll({});
-  if (!status.ok()) return status;
+  // Both take long around a hub: the compass, made before, and the heading.
+  if (compass_->sector_count() >= kWorkBetweenPolls) {
+    status = checkpoint.Poll({});
+    if (!status.ok()) return status;
+  }
   Walker walker(*mesh_, std::ldexp(length, -mesh_->scale_exponent()),
                 checkpoint);
   status = walker.Go(place_, *heading);

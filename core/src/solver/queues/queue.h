@@ -60,9 +60,9 @@ void PopTogether(Queue& queue, size_t most, std::vector<uint32_t>& ids) {
 // are very many at one half-edge.
 inline constexpr uint64_t kWorkBetweenPolls = 2048;
 
-// Anchors that are entered between two polls. Each may pass all windows of a
-// half-edge: where a face holds very many, up to a millisecond.
-inline constexpr uint64_t kAnchorsBetweenPolls = 32;
+// What an anchor counts for beside the faces that it looks at: it may pass all
+// windows of a half-edge, where a face holds very many.
+inline constexpr uint64_t kStepsOfAnchor = kWorkBetweenPolls / 32;
 
 // What queues and rules may know about the mesh and the caller's wishes
 // (solve_options.h).

@@ -190,6 +190,8 @@ class ChenHanRule {
   }
 
   uint64_t created() const { return created_; }
+  // What was done.
+  uint64_t steps() const { return created_; }
   uint64_t pending() const { return pool_.live(); }
   uint64_t peak_windows() const { return pool_.peak(); }
   uint64_t bytes() const {

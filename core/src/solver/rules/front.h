@@ -326,9 +326,9 @@ class Front {
 
   // Starts from an anchor: relaxes the vertices around it and opens all that it
   // sees of every edge. Sink: as for Expand; its Relax and Observe are those
-  // here.
+  // here. Returns how many faces were looked at.
   template <typename Sink>
-  void AddAnchor(const Anchor& anchor, Sink& sink) {
+  uint64_t AddAnchor(const Anchor& anchor, Sink& sink) {
     const auto number = static_cast<uint32_t>(distances_.size());
     const double sigma = std::ldexp(anchor.offset, -mesh_.scale_exponent());
     has_free_anchor_ = has_free_anchor_ ||
@@ -340,16 +340,16 @@ class Front {
       distances_.push_back(std::numeric_limits<double>::infinity());
       anchor_places_.emplace_back();
       if constexpr (std::is_same_v<Origin, MixedOrigin>) {
-        AddSegment(anchor, sigma, number, sink);
+        return AddSegment(anchor, sigma, number, sink);
       }
-      return;
+      return 0;
     }
     distances_.push_back(sigma);
     anchor_places_.push_back(InSpace(mesh_, anchor.begin));
     if (const auto* at = std::get_if<VertexPoint>(&anchor.begin)) {
       states_[at->vertex] |= kSource;
       Relax(at->vertex, sigma, {.pseudo_source = number});
-      return;
+      return 1;
     }
     Sight sight(*this, number, sink);
     // An edge may have very many faces: not again for each of them.
@@ -358,14 +358,19 @@ class Front {
       return on_edge != nullptr && (v == on_edge->from || v == on_edge->to);
     };
     bool knows_ends = false;
+    uint64_t faces = 0;
     for (const FacePoint& point : FacesAround(mesh_, anchor.begin)) {
       const Arrival straight{.pseudo_source = number};
       for (uint32_t corner = 0; corner < 3; ++corner) {
         const HalfEdge h = mesh_.FirstSide(point.face) + corner;
         const double to_corner = DistanceToCorner(mesh_, point, corner);
         if (!(knows_ends && is_end(mesh_.From(h))) &&
-            to_corner <= kNearVertex * LongestEdgeAt(mesh_.From(h))) {
-          states_[mesh_.From(h)] |= kSource;
+            !(states_[mesh_.From(h)] & kSource) &&
+            to_corner <= kNearVertex * kLongestEdge) {
+          faces += mesh_.Outgoing(mesh_.From(h)).size();
+          if (to_corner <= kNearVertex * LongestEdgeAt(mesh_.From(h))) {
+            states_[mesh_.From(h)] |= kSource;
+          }
         }
         Relax(mesh_.From(h), sigma + to_corner, straight);
         // The faces beyond an edge that holds the point are around it too.
@@ -384,7 +389,9 @@ class Front {
         return sigma + std::hypot(to.x - from.x, to.y - from.y);
       });
       knows_ends = true;
+      ++faces;
     }
+    return faces + sight.faces();
   }
 
   // Whether v has improved since its event was last taken.
@@ -398,9 +405,10 @@ class Front {
   // opens every edge that v sees whole, where the half-edge enters the face
   // beyond. These are the edges opposite to v, and where v lies on one (across
   // a face without area), the other edges of the face beyond. Sink has Relax
-  // and Observe, as here, and Open, as rules have.
+  // and Observe, as here, and Open, as rules have. Returns how many faces were
+  // looked at beyond irregular edges.
   template <typename Sink>
-  void Expand(uint32_t v, Sink& sink) const {
+  uint64_t Expand(uint32_t v, Sink& sink) const {
     const double sigma = distances_[v];
     const Arrival along_edge{.pseudo_source = v};
     for (HalfEdge h : mesh_.Outgoing(v)) {
@@ -431,9 +439,13 @@ class Front {
     } else {
       ShadowFan(mesh_, v, incoming_[v]).ForEachFace(look);
     }
+    return sight.faces();
   }
 
  private:
+  // No edge is longer, in the scaled unit.
+  static constexpr double kLongestEdge = 2;
+
   enum State : uint8_t {
     kSource = 1,
     kPending = 2,  // improved since it was last expanded
@@ -498,11 +510,13 @@ class Front {
     return longest;
   }
 
-  // Starts from a segment, in each of the faces that hold it.
-  // REQUIRES: Origin is MixedOrigin.
+  // Starts from a segment, in each of the faces that hold it. Returns how many
+  // faces were looked at. REQUIRES: Origin is MixedOrigin.
   template <typename Sink>
-  void AddSegment(const Anchor& anchor, double sigma, uint32_t number,
-                  Sink& sink) {
+  uint64_t AddSegment(const Anchor& anchor, double sigma, uint32_t number,
+                      Sink& sink) {
+    uint64_t faces = std::min(MostFacesAround(mesh_, anchor.begin),
+                              MostFacesAround(mesh_, anchor.end));
     for (const CurveSegment& segment : SegmentsOf(mesh_, anchor)) {
       const HalfEdge first = mesh_.FirstSide(segment.face());
       const Arrival straight{.pseudo_source = number};
@@ -516,6 +530,13 @@ class Front {
         auto beam = segment.BeamAcross(h);
         if (!beam.has_value()) continue;
         beam->origin.sigma += sigma;
+        if constexpr (ToldOfWideEdges<Sink>) {
+          if (IsWideEdge(mesh_, h)) {
+            sink.OpenBeyond(h, number, beam->origin, beam->interval);
+            continue;
+          }
+        }
+        faces += 1 + mesh_.HalfEdgesAt(h).size();
         Cross(h, beam->origin, beam->interval,
               [&](HalfEdge half_edge, const Origin& origin,
                   const Interval& interval) {
@@ -527,6 +548,7 @@ class Front {
                              return sigma + segment.DistanceTo(place);
                            });
     }
+    return faces;
   }
 
   const Mesh& mesh_;
@@ -546,32 +568,6 @@ class Front {
   bool has_free_anchor_ = false;  // one that is not a vertex
   uint64_t reached_ = 0;
   std::vector<uint32_t> reached_list_;  // with a goal only
-};
-
-// A sink for Front::AddAnchor and Front::Expand: what they find is applied at
-// once.
-template <typename Front, typename Rule>
-class DirectSink {
- public:
-  // Both outlive the sink.
-  DirectSink(Front& front, Rule& rule) : front_(front), rule_(rule) {}
-
-  void Relax(uint32_t vertex, double distance, const Arrival& arrival,
-             const IncomingRay& ray = {}) {
-    front_.Relax(vertex, distance, arrival, ray);
-  }
-  void Observe(HalfEdge h, const typename Front::Window& window,
-               uint32_t pseudo_source) {
-    front_.Observe(h, window, pseudo_source);
-  }
-  void Open(HalfEdge half_edge, uint32_t pseudo_source,
-            const typename Front::Origin& origin, const Interval& interval) {
-    rule_.Open(half_edge, pseudo_source, origin, interval);
-  }
-
- private:
-  Front& front_;
-  Rule& rule_;
 };
 
 }  // namespace geodesic

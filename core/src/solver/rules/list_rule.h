@@ -46,6 +46,7 @@
 #include "solver/rules/front.h"
 #include "solver/rules/list_worker.h"
 #include "solver/rules/passed_windows.h"
+#include "solver/rules/wide_edges.h"
 #include "solver/rules/winding.h"
 #include "solver/thread_team.h"
 #include "solver/windows/window_blocks.h"
@@ -84,6 +85,36 @@ class ListRule {
     worker.Open(half_edge, pseudo_source, origin, interval);
     for (const auto& list : worker.handed_on()) Enqueue(list, 0);
     worker.Clear();
+  }
+
+  // The same beyond `side`, an edge of very many faces: by and by (Spread).
+  static constexpr bool kTakesWideEdges = !Front::Goal::kDirects;
+  void OpenBeyond(HalfEdge side, uint32_t pseudo_source, const Origin& origin,
+                  const Interval& interval) {
+    Worker& worker = workers_[0];
+    worker.OpenBeyond(side, pseudo_source, origin, interval);
+    for (const auto& list : worker.handed_on()) Enqueue(list, 0);
+    worker.Clear();
+  }
+  // Whether lists are to go on across edges of very many faces, before anything
+  // else is done.
+  bool HasToSpread() const { return !wide_.IsEmpty(); }
+  // Lets the first of them go on into some of the faces.
+  void Spread() {
+    Worker& worker = workers_[0];
+    const HandedOn* copied = nullptr;
+    wide_.Spread(
+        mesh_, kSpreadAtATime,
+        [&](HalfEdge side, HalfEdge to, bool is_mirrored, const HandedOn& all) {
+          ++faces_;
+          if (!front_.MayEnter(side, to)) return;
+          if (copied == nullptr) worker.BeginCopies(side, all.list);
+          copied = &all;
+          Enqueue({to, is_mirrored ? kRight : all.from,
+                   worker.CopyFor(is_mirrored), all.count, all.label},
+                  0);
+        },
+        [this](const HandedOn& all) { Drop(all.list); });
   }
 
   // Sources were added: nothing here depends on them.
@@ -128,6 +159,8 @@ class ListRule {
   bool has_dropped() const { return has_dropped_; }
 
   uint64_t created() const { return created_; }
+  // Windows made, and faces looked at beyond irregular edges.
+  uint64_t steps() const { return created_ + faces_; }
   uint64_t pending() const { return pending_; }
   uint64_t peak_windows() const { return peak_; }
   uint64_t bytes() const {
@@ -142,6 +175,7 @@ class ListRule {
 
  private:
   using Worker = ListWorker<Front>;
+  using HandedOn = typename Worker::HandedOn;
   using Passed = PassedWindows<WindowBlock*>;
 
   // Nothing waits; added to it, how often lists have crossed from there.
@@ -157,8 +191,12 @@ class ListRule {
   // Lists that the half-edges of a round hand on, if there are several.
   static constexpr size_t kMostHandedOn = size_t{1} << 16;
   // Each of many faces at an edge hands the same lists on to all others. So
-  // many that wait there are trimmed at once.
+  // many that wait there are trimmed at once. Where there are very many faces
+  // it is up to twice as many, so that not all of them have theirs trimmed in a
+  // row.
   static constexpr uint32_t kMostWaiting = 16;
+  // Faces beyond an edge of very many that are entered at once.
+  static constexpr size_t kSpreadAtATime = 256;
 
   struct Queued {
     double label;  // the least the half-edge is queued with
@@ -197,6 +235,10 @@ class ListRule {
     return std::clamp<size_t>(by_lists, 1, kMostTogether);
   }
 
+  uint32_t MostWaiting(HalfEdge h) const {
+    return kMostWaiting + (IsWideEdge(mesh_, h) ? h / 3 % kMostWaiting : 0);
+  }
+
   uint64_t Round(std::span<const uint32_t> ids) {
     Take(ids);
     DoAll();
@@ -209,6 +251,7 @@ class ListRule {
     for (Worker& worker : workers_) {
       met += worker.met();
       followed += worker.followed();
+      faces_ += worker.faces();
       worker.Clear();
     }
     passed_.Count(met);
@@ -375,15 +418,22 @@ class ListRule {
     const auto lists = workers_[run.member].handed_on();
     for (uint32_t i = run.begin.handed_on; i < run.end.handed_on; ++i) {
       if (i + kAhead < lists.size()) {
-        __builtin_prefetch(&waiting_[lists[i + kAhead].to]);
+        __builtin_prefetch(&waiting_[lists[i + kAhead].to & ~Worker::kBeyond]);
       }
       Enqueue(lists[i], run.member);
     }
   }
 
   // Adds a list, which `member` has handed on, to what waits at a half-edge.
-  void Enqueue(const typename Worker::HandedOn& handed_on, uint32_t member) {
+  void Enqueue(const HandedOn& handed_on, uint32_t member) {
     const auto& [h, from, list, count, label] = handed_on;
+    if (h & Worker::kBeyond) {
+      const HalfEdge side = h & ~Worker::kBeyond;
+      wide_.Add(side, handed_on);
+      // The queue knows of it, too.
+      front_.queue().Push(mesh_.HalfEdgesAt(side)[0], label);
+      return;
+    }
     if (!Waits(h)) {
       const uint32_t crossings = waiting_[h] - kNothing;
       if (free_.empty()) {
@@ -405,7 +455,8 @@ class ListRule {
     created_ += count;
     pending_ += count;
     peak_ = std::max(peak_, pending_);
-    if (++queued.count >= kMostWaiting && Passed::AlwaysKeeps(mesh_, h)) {
+    if (++queued.count >= kMostWaiting && Passed::AlwaysKeeps(mesh_, h) &&
+        queued.count >= MostWaiting(h)) {
       pending_ -= workers_[0].Join(h, queued.lists);
       queued.last = queued.lists;
       queued.count = 1;
@@ -424,6 +475,7 @@ class ListRule {
   std::vector<Queued> queues_;
   std::vector<uint32_t> free_;  // of queues_
   Passed passed_;
+  WideEdges<HandedOn> wide_;
   WindingWatch winding_;
   BlockPool pool_;
   std::deque<Worker> workers_;      // by member of the team
@@ -438,6 +490,7 @@ class ListRule {
   uint64_t pending_ = 0;
   uint64_t peak_ = 0;
   uint64_t created_ = 0;
+  uint64_t faces_ = 0;
 };
 
 }  // namespace geodesic

@@ -22,6 +22,7 @@
 #include "solver/rules/face_crossing.h"
 #include "solver/rules/passed_windows.h"
 #include "solver/rules/shadow_fan.h"
+#include "solver/rules/wide_edges.h"
 #include "solver/rules/winding.h"
 #include "solver/thread_team.h"
 #include "solver/windows/window_blocks.h"
@@ -39,6 +40,7 @@ using WaitingLists = std::array<WindowBlock*, 2>;
 template <typename Front>
 class alignas(kCacheLine) ListWorker {
  public:
+  static constexpr bool kTakesWideEdges = !Front::Goal::kDirects;
   // A better path to a vertex, as Front::Relax takes it.
   struct Relaxation {
     uint32_t vertex;
@@ -48,7 +50,7 @@ class alignas(kCacheLine) ListWorker {
   };
   // A list that goes on through a half-edge.
   struct HandedOn {
-    HalfEdge to;
+    HalfEdge to;  // with kBeyond: through all others at this one's edge
     Side from;
     WindowBlock* list;
     uint32_t count;  // its windows
@@ -65,6 +67,7 @@ class alignas(kCacheLine) ListWorker {
     uint32_t relaxation = 0, handed_on = 0, observed = 0;
     bool operator==(const Place&) const = default;
   };
+  static constexpr HalfEdge kBeyond = kIrregularExit;
   // What comes of one half-edge or vertex.
   struct Outcome {
     uint32_t waited = 0;      // windows
@@ -102,6 +105,18 @@ class alignas(kCacheLine) ListWorker {
     return waited - static_cast<uint32_t>(list_.size);
   }
 
+  // Copies of a list that was handed on with kBeyond, for any number of faces
+  // there.
+  void BeginCopies(HalfEdge side, const WindowBlock* list) {
+    opened_.size = passed_.size = 0;
+    WindowBlocks::Copy(list, opened_);
+    WindowBlocks::Copy(list, passed_);
+    passed_.Mirror(mesh_.frame(side).length);
+  }
+  WindowBlock* CopyFor(bool is_mirrored) {
+    return blocks_.Store(is_mirrored ? passed_ : opened_);
+  }
+
   // Frees lists that nobody will take.
   void Drop(const WaitingLists& lists) {
     for (WindowBlock* list : lists) blocks_.Drop(list);
@@ -109,7 +124,7 @@ class alignas(kCacheLine) ListWorker {
 
   Outcome Expand(uint32_t vertex) {
     Outcome outcome{.begin = Here()};
-    front_.Expand(vertex, *this);
+    faces_ += front_.Expand(vertex, *this);
     outcome.end = Here();
     return outcome;
   }
@@ -121,12 +136,15 @@ class alignas(kCacheLine) ListWorker {
   const MetWindows& met() const { return met_; }
   // Faces through which lines were followed back.
   uint64_t followed() const { return followed_; }
+  // Faces that vertices have looked at beyond irregular edges.
+  uint64_t faces() const { return faces_; }
   void Clear() {
     relaxations_.clear();
     handed_on_.clear();
     observed_.clear();
     met_ = {};
     followed_ = 0;
+    faces_ = 0;
   }
 
   // As Front::Expand calls them.
@@ -145,6 +163,19 @@ class alignas(kCacheLine) ListWorker {
     opened_.Set(0, *window, pseudo_source);
     opened_.size = 1;
     HandOn(half_edge, kLeft, key, opened_);
+  }
+
+  void OpenBeyond(HalfEdge side, uint32_t pseudo_source, const Origin& origin,
+                  const Interval& interval) {
+    const double length = mesh_.frame(side).length;
+    if (IsLost(interval, origin, length)) return;
+    const Window window = Window::Over(interval, origin);
+    if (front_.EndsAreNearer(window, length, mesh_.To(side), mesh_.From(side)))
+      return;
+    opened_.Reserve(1);
+    opened_.Set(0, window, pseudo_source);
+    opened_.size = 1;
+    HandOn(side | kBeyond, kLeft, window.Label(), opened_);
   }
 
   void Observe(HalfEdge h, const Window& window, uint32_t pseudo_source) {
@@ -295,6 +326,10 @@ class alignas(kCacheLine) ListWorker {
       HandOn(exit, from, label, children);
       return;
     }
+    if (kTakesWideEdges && IsWideEdge(mesh_, side)) {
+      HandOn(side | kBeyond, from, label, children);
+      return;
+    }
     const double length = mesh_.frame(side).length;
     mesh_.ForEachBeyond(side, [&](HalfEdge to, bool is_mirrored) {
       if (!front_.MayEnter(side, to)) return;
@@ -317,6 +352,7 @@ class alignas(kCacheLine) ListWorker {
   std::vector<Observed> observed_;
   MetWindows met_;
   uint64_t followed_ = 0;
+  uint64_t faces_ = 0;
 
   // Scratch, kept for its memory.
   FaceCrossing<Front> crossing_;

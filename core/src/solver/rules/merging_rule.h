@@ -123,6 +123,8 @@ class MergingRule {
   }
 
   uint64_t created() const { return created_; }
+  // What was done.
+  uint64_t steps() const { return created_; }
   uint64_t pending() const { return pending_; }
   uint64_t peak_windows() const { return peak_; }
   uint64_t bytes() const {

@@ -44,6 +44,7 @@
 #include "solver/rules/fragments.h"
 #include "solver/rules/front.h"
 #include "solver/rules/trimming.h"
+#include "solver/rules/wide_edges.h"
 #include "solver/rules/winding.h"
 #include "solver/windows/window.h"
 #include "solver/windows/window_columns.h"
@@ -73,6 +74,36 @@ class MmpRule {
   void Open(HalfEdge half_edge, uint32_t pseudo_source, const Origin& origin,
             const Interval& interval) {
     Insert(half_edge, pseudo_source, origin, interval);
+  }
+
+  // The same beyond `side`, an edge of very many faces: by and by (Spread).
+  static constexpr bool kTakesWideEdges = !Front::Goal::kDirects;
+  void OpenBeyond(HalfEdge side, uint32_t pseudo_source, const Origin& origin,
+                  const Interval& interval) {
+    wide_.Add(side, {pseudo_source, origin, interval});
+    // The queue knows of it, too.
+    const HalfEdge first = mesh_.HalfEdgesAt(side)[0];
+    front_.queue().Push(first, Window::Over(interval, origin).Label());
+  }
+  // Whether windows are to go on across edges of very many faces, before
+  // anything else is done.
+  bool HasToSpread() const { return !wide_.IsEmpty(); }
+  // Lets the first of them go on into some of the faces.
+  void Spread() {
+    wide_.Spread(
+        mesh_, kSpreadAtATime,
+        [this](HalfEdge side, HalfEdge to, bool is_mirrored, const Wide& wide) {
+          ++steps_;
+          if (!front_.MayEnter(side, to)) return;
+          const double length = mesh_.frame(side).length;
+          if (is_mirrored) {
+            Insert(to, wide.pseudo_source, Mirror(wide.origin, length),
+                   Mirror(wide.interval, length));
+          } else {
+            Insert(to, wide.pseudo_source, wide.origin, wide.interval);
+          }
+        },
+        [](const Wide&) {});
   }
 
   // Sources were added: nothing here depends on them.
@@ -121,6 +152,8 @@ class MmpRule {
   }
 
   uint64_t created() const { return created_; }
+  // Windows that came to a half-edge, and that were compared there.
+  uint64_t steps() const { return steps_; }
   uint64_t pending() const { return pending_; }
   uint64_t windows() const { return lists_.size(); }
   uint64_t peak_windows() const { return lists_.peak_size(); }
@@ -130,6 +163,16 @@ class MmpRule {
   }
 
  private:
+  // What goes on across an edge of very many faces.
+  struct Wide {
+    uint32_t pseudo_source;
+    Origin origin;
+    Interval interval;
+  };
+
+  // Faces beyond an edge of very many that are entered at once.
+  static constexpr size_t kSpreadAtATime = 256;
+
   // Sweeps come when the lists have doubled, so each window pays for one visit;
   // below this many windows there is little to gain.
   static constexpr uint64_t kLeastSweep = 16384;
@@ -243,6 +286,7 @@ class MmpRule {
       }
       if (!lists_.has_room(half_edge)) listed_.push_back(half_edge);
       created_ += last - i;
+      steps_ += last - i;
       pending_ += last - i;
       lists_.MakeRoom(half_edge, static_cast<uint32_t>(last - i));
       for (; i < last; ++i) {
@@ -266,6 +310,10 @@ class MmpRule {
       Insert(exit, pseudo_source, origin, interval);
       return;
     }
+    if (kTakesWideEdges && IsWideEdge(mesh_, side)) {
+      OpenBeyond(side, pseudo_source, origin, interval);
+      return;
+    }
     front_.Cross(
         side, origin, interval,
         [&](HalfEdge half_edge, const Origin& seen, const Interval& through) {
@@ -276,6 +324,7 @@ class MmpRule {
   // Adds a window, as far as it beats those on the half-edge already.
   void Insert(HalfEdge half_edge, uint32_t pseudo_source, const Origin& origin,
               const Interval& interval) {
+    ++steps_;
     // This saves a third of the contests on real meshes, and costs less.
     const auto newer = front_.UsefulWindow(half_edge, origin, interval);
     if (!newer.has_value() || Winds(half_edge, *newer)) return;
@@ -311,6 +360,7 @@ class MmpRule {
       Enqueue(half_edge, label);
     };
     while (const ListedWindow* next = lists_.Next(half_edge)) {
+      ++steps_;
       const Interval held = next->window.interval;
       if (held.begin >= interval.end) break;
       const Interval overlap{std::max(held.begin, interval.begin),
@@ -463,7 +513,8 @@ class MmpRule {
   Front& front_;
   const Mesh& mesh_;
   WindowLists<Origin> lists_;
-  std::vector<HalfEdge> listed_;       // with a list, since the last sweep
+  std::vector<HalfEdge> listed_;  // with a list, since the last sweep
+  WideEdges<Wide> wide_;
   uint64_t next_sweep_ = kLeastSweep;  // when so many windows are in lists
   std::vector<ListedWindow> due_;      // of Propagate, kept for its memory
   CrossingCounter crossing_counts_;
@@ -471,6 +522,7 @@ class MmpRule {
   FaceCrossing<Front> crossing_;  // if kTogether
   uint64_t pending_ = 0;
   uint64_t created_ = 0;
+  uint64_t steps_ = 0;
 };
 
 }  // namespace geodesic

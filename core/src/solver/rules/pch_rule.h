@@ -100,6 +100,8 @@ class PchRule {
   }
 
   uint64_t created() const { return created_; }
+  // What was done.
+  uint64_t steps() const { return created_; }
   uint64_t pending() const { return pool_.live(); }
   uint64_t peak_windows() const { return pool_.peak(); }
   uint64_t bytes() const {

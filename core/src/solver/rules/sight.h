@@ -1,4 +1,4 @@
-// What a pseudo-source sees beyond the edges around it.
+// What a pseudo-source sees beyond the edges around it, and who is told.
 
 #ifndef GEODESIC_SOLVER_RULES_SIGHT_H_
 #define GEODESIC_SOLVER_RULES_SIGHT_H_
@@ -10,7 +10,10 @@
 #include <unordered_map>
 #include <vector>
 
+#include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
+#include "solver/rules/shadow_fan.h"
+#include "solver/rules/wide_edges.h"
 #include "solver/windows/window.h"
 #include "tolerances.h"
 
@@ -41,6 +44,9 @@ class Sight {
     }
   }
 
+  // Faces that were looked at beyond irregular edges.
+  uint64_t faces() const { return faces_; }
+
  private:
   // A part of a half-edge that is seen from `origin`.
   struct View {
@@ -61,14 +67,35 @@ class Sight {
   // So that a pseudo-source is done soon, however many faces share its edges.
   static constexpr size_t kMostKnown = size_t{1} << 16;
 
+  // The first view across an edge of three faces or more. The half-edges that
+  // it came to are noted in known_ only when there is another.
+  struct FirstView {
+    View across;
+    bool is_noted = false;
+  };
+
   void See(HalfEdge side, const Origin& origin, const Interval& part) {
+    const size_t sharing = mesh_.HalfEdgesAt(side).size();
+    faces_ += sharing;
+    const bool is_shared = sharing > 2;
+    const bool is_first = is_shared && NoteView(side, View{side, origin, part});
+    if constexpr (ToldOfWideEdges<Sink>) {
+      if (is_first && IsWideEdge(mesh_, side) &&
+          !LiesOnEdge(origin, mesh_.frame(side))) {
+        known_count_ += sharing;
+        sink_.OpenBeyond(side, pseudo_source_, origin, part);
+        return;
+      }
+    }
     front_.Cross(
         side, origin, part,
         [&](HalfEdge half_edge, const Origin& seen, const Interval& through) {
           const bool is_fold = LiesOnEdge(seen, mesh_.frame(half_edge));
-          bool looks_on = is_fold && known_.size() < kMostKnown;
+          bool looks_on = is_fold && known_count_ < kMostKnown;
           const View view{half_edge, seen, through};
-          if (is_fold || mesh_.IsNonManifoldEdge(half_edge)) {
+          if (is_first) {
+            ++known_count_;
+          } else if (is_fold || is_shared) {
             const auto [begin, end] = known_.equal_range(half_edge);
             for (auto it = begin; it != end; ++it) {
               const View& known = it->second;
@@ -77,6 +104,7 @@ class Sight {
               looks_on = false;  // rings come back a little off at times
             }
             known_.insert({half_edge, view});
+            ++known_count_;
           }
           if (looks_on) {
             folds_.push_back(view);
@@ -84,6 +112,22 @@ class Sight {
             sink_.Open(half_edge, pseudo_source_, seen, through);
           }
         });
+  }
+
+  // Whether it is the first across that edge. If not, the first is in known_.
+  bool NoteView(HalfEdge side, const View& across) {
+    const auto [it, is_first] =
+        first_views_.try_emplace(mesh_.FirstOfEdge(side), FirstView{across});
+    if (is_first) return true;
+    FirstView& first = it->second;
+    if (first.is_noted) return false;
+    first.is_noted = true;
+    front_.Cross(
+        first.across.half_edge, first.across.origin, first.across.part,
+        [&](HalfEdge half_edge, const Origin& seen, const Interval& through) {
+          known_.insert({half_edge, {half_edge, seen, through}});
+        });
+    return false;
   }
 
   void LookOn(const View& fold) {
@@ -124,6 +168,43 @@ class Sight {
   // Of half-edges to which several ways lead: round a ring, or by one of
   // several faces with the same corners.
   std::unordered_multimap<HalfEdge, View> known_;
+  size_t known_count_ = 0;  // with those not noted yet
+  // By the lowest half-edges of the edges.
+  std::unordered_map<HalfEdge, FirstView> first_views_;
+  uint64_t faces_ = 0;
+};
+
+// A sink for Front::AddAnchor and Front::Expand: what they find is applied at
+// once.
+template <typename Front, typename Rule>
+class DirectSink {
+ public:
+  static constexpr bool kTakesWideEdges = ToldOfWideEdges<Rule>;
+
+  // Both outlive the sink.
+  DirectSink(Front& front, Rule& rule) : front_(front), rule_(rule) {}
+
+  void Relax(uint32_t vertex, double distance, const Arrival& arrival,
+             const IncomingRay& ray = {}) {
+    front_.Relax(vertex, distance, arrival, ray);
+  }
+  void Observe(HalfEdge h, const typename Front::Window& window,
+               uint32_t pseudo_source) {
+    front_.Observe(h, window, pseudo_source);
+  }
+  void Open(HalfEdge half_edge, uint32_t pseudo_source,
+            const typename Front::Origin& origin, const Interval& interval) {
+    rule_.Open(half_edge, pseudo_source, origin, interval);
+  }
+  void OpenBeyond(HalfEdge side, uint32_t pseudo_source,
+                  const typename Front::Origin& origin,
+                  const Interval& interval) requires ToldOfWideEdges<Rule> {
+    rule_.OpenBeyond(side, pseudo_source, origin, interval);
+  }
+
+ private:
+  Front& front_;
+  Rule& rule_;
 };
 
 }  // namespace geodesic
