@@ -127,6 +127,28 @@ TEST(Stopping, LinesFromAHubAskBeforeAndAfterTheyFindTheWay) {
   EXPECT_EQ(checkpoint.polls().size(), 2 * 3);
 }
 
+// Where every edge has very many faces, a vertex looks at nearly as many as
+// there are pairs of them: not all vertices do between two polls.
+TEST(Stopping, FieldsAskBetweenVerticesThatLookAtVeryManyFaces) {
+  constexpr uint32_t kPoints = 30;
+  const auto mesh = Mesh::Build(AllTriangles(kPoints)).value();
+  Query query;
+  for (uint32_t v = 0; v < kPoints; ++v) {
+    query.sources.push_back({VertexPoint{v}, 1e-6 * v});
+  }
+  // They all look first of all.
+  RecordingCheckpoint checkpoint(/*stop_at=*/kPoints);
+  ASSERT_EQ(Solve(*mesh, query, {}, checkpoint).status(),
+            RecordingCheckpoint::Stopped());
+  uint64_t before = 0, most = 0;
+  for (const Progress& progress : checkpoint.polls()) {
+    most = std::max(
+        most, progress.live_windows - std::min(before, progress.live_windows));
+    before = progress.live_windows;
+  }
+  EXPECT_LT(most, 100'000u);
+}
+
 // Each page is entered by as many windows, of which each is compared with each
 // other before a line is drawn there.
 TEST(Stopping, IsolinesOfManySourcesAskForEachTwoWaysIntoAFace) {

@@ -229,10 +229,23 @@ class ListRule {
     size_t applied = 0;
   };
 
-  // A half-edge hands lists on to all other faces at two edges.
+  // A half-edge hands lists on to all other faces at two edges, a vertex at all
+  // edges opposite to it: where many of these have three faces or more, to very
+  // many.
   static size_t MostInRound(const Mesh& mesh) {
-    const size_t by_lists = kMostHandedOn / (2 * mesh.MostFacesAtEdge());
-    return std::clamp<size_t>(by_lists, 1, kMostTogether);
+    size_t most = 2 * mesh.MostFacesAtEdge();
+    if (mesh.HasNonManifoldEdges()) {
+      for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+        size_t faces = 0;
+        for (const HalfEdge h : mesh.Outgoing(v)) {
+          if (mesh.IsNonManifoldEdge(Next(h))) {
+            faces += mesh.HalfEdgesAt(Next(h)).size();
+          }
+        }
+        most = std::max(most, faces);
+      }
+    }
+    return std::clamp<size_t>(kMostHandedOn / most, 1, kMostTogether);
   }
 
   uint32_t MostWaiting(HalfEdge h) const {
@@ -457,7 +470,7 @@ class ListRule {
     peak_ = std::max(peak_, pending_);
     if (++queued.count >= kMostWaiting && Passed::AlwaysKeeps(mesh_, h) &&
         queued.count >= MostWaiting(h)) {
-      pending_ -= workers_[0].Join(h, queued.lists);
+      pending_ += workers_[0].Join(h, queued.lists);
       queued.last = queued.lists;
       queued.count = 1;
     }

@@ -98,11 +98,12 @@ class alignas(kCacheLine) ListWorker {
     return outcome;
   }
 
-  // Makes one list of those that wait at h. Returns how many windows are gone.
-  uint32_t Join(HalfEdge h, WaitingLists& lists) {
+  // Makes one list of those that wait at h. Returns how many windows there are
+  // more: fewer as a rule, but some may be split.
+  int64_t Join(HalfEdge h, WaitingLists& lists) {
     const uint32_t waited = Take(lists, mesh_.frame(h).length);
     lists = {list_.size > 0 ? blocks_.Store(list_) : nullptr, nullptr};
-    return waited - static_cast<uint32_t>(list_.size);
+    return static_cast<int64_t>(list_.size) - waited;
   }
 
   // Copies of a list that was handed on with kBeyond, for any number of faces
