@@ -415,8 +415,10 @@ Server::Ending Server::Wait() {
   log_.WaitIdle(clock_.Now() + kCancelGrace, std::stop_token());
   // What computes has stopped.
   if (!engine_.scheduler().WaitIdle(kStoreGrace)) {
-    logger_->error("{} jobs do not end; perhaps the disk does not answer",
-                   engine_.scheduler().running());
+    logger_->error(
+        "{} jobs do not end; perhaps a disk does not answer, or a mesh is very "
+        "hard",
+        engine_.scheduler().running());
     return Ending::kStuck;
   }
   door_.reset();
