@@ -123,9 +123,12 @@ class MatrixTable {
   // Of a question that is transposed.
   explicit MatrixTable(const MatrixQuestion& question);
 
+  // What one of that size takes.
   static uint64_t PlannedBytes(uint64_t rows, uint64_t columns);
 
+  // As many as the question has.
   uint64_t rows() const { return rows_; }
+  // As many as the question has lines.
   uint64_t columns() const { return columns_; }
 
   // What the question answers for a column. In any order. O(rows).

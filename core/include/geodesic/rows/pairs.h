@@ -36,6 +36,7 @@ struct PointPair {
   SurfacePoint target;
 };
 
+// What is asked of all pairs alike.
 struct PairOptions {
   // Whether rows have paths, too, from source to target. They are then in order
   // of the pairs.
