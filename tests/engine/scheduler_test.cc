@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -125,6 +127,56 @@ TEST(SchedulerLongTest, NobodyWaitsForOthersLongJobs) {
   });
   executor.RunAll();
   EXPECT_THAT(ran, ElementsAre("third", "short", "long", "long"));
+}
+
+// It makes room for one, however often it says that it has run long, and until
+// it ends.
+TEST(SchedulerLongTest, ALongJobMakesRoomOnce) {
+  test::ManualExecutor executor;
+  Scheduler scheduler(executor, /*max_running=*/1, /*max_queued=*/9);
+  const auto submit = [&](
+                          std::string client,
+                          std::function<void()> meanwhile = [] {}) {
+    ASSERT_TRUE(
+        scheduler
+            .Submit({.client = client,
+                     .run = [meanwhile](std::stop_token) { meanwhile(); }})
+            .ok());
+  };
+  submit("long", [&] {
+    scheduler.LetOthersStart();
+    scheduler.LetOthersStart();
+    submit("a", [&] { EXPECT_FALSE(executor.RunOne()); });
+    submit("b");
+    EXPECT_TRUE(executor.RunOne());
+  });
+  executor.RunAll();
+  submit("a", [&] { EXPECT_FALSE(executor.RunOne()); });
+  submit("b");
+  executor.RunAll();
+  EXPECT_TRUE(scheduler.WaitIdle(std::chrono::milliseconds(0)));
+}
+
+TEST(SchedulerLongTest, FourTimesAsManyRunAtMost) {
+  test::ManualExecutor executor;
+  Scheduler scheduler(executor, /*max_running=*/1, /*max_queued=*/9);
+  size_t most = 0;
+  // Each of another client, within the one before.
+  const std::function<void(int)> submit = [&](int number) {
+    const auto run = [&, number](std::stop_token) {
+      most = std::max(most, scheduler.running());
+      if (number == 6) return;
+      submit(number + 1);
+      scheduler.LetOthersStart();
+      executor.RunOne();
+    };
+    ASSERT_TRUE(
+        scheduler.Submit({.client = std::to_string(number), .run = run}).ok());
+  };
+  submit(1);
+  executor.RunAll();
+  EXPECT_EQ(most, 4u);
+  EXPECT_TRUE(scheduler.WaitIdle(std::chrono::milliseconds(0)));
 }
 
 TEST(SchedulerIdleTest, PreparationsRunBesideTheOthersOneAtATime) {
@@ -277,6 +329,34 @@ TEST_F(MemoryTest, WhoWaitedBehindADroppedJobGoesOn) {
   executor_.RunAll();
   EXPECT_THAT(ran_, ElementsAre("a", "c"));
   EXPECT_EQ(memory_->used(), 0);
+}
+
+TEST_F(MemoryTest, NobodyLacksMemoryOnceTheOneWhoDidIsDropped) {
+  absl::StatusOr<Scheduler::JobId> large;
+  while_running_["a"] = [&] {
+    executor_.RunAll();
+    EXPECT_TRUE(wide_.lacks_memory());
+    wide_.Cancel(*large);
+    EXPECT_FALSE(wide_.lacks_memory());
+  };
+  ASSERT_TRUE(wide_.Submit(HungryJob("a", 60)).ok());
+  large = wide_.Submit(HungryJob("b", 60));
+  ASSERT_TRUE(large.ok());
+  executor_.RunAll();
+  EXPECT_THAT(ran_, ElementsAre("a"));
+}
+
+TEST_F(MemoryTest, WhatIsRefusedDoesNotCountAsRunning) {
+  Scheduler narrow(executor_, /*max_running=*/1, /*max_queued=*/10);
+  for (const uint64_t bytes : {101, 10}) {
+    Job job = HungryJob(std::to_string(bytes), bytes);
+    job.client = "one";
+    ASSERT_TRUE(narrow.Submit(std::move(job)).ok());
+    executor_.RunAll();
+  }
+  EXPECT_THAT(abandoned_, ElementsAre("101"));
+  EXPECT_THAT(ran_, ElementsAre("10"));
+  EXPECT_EQ(narrow.queued(), 0);
 }
 
 TEST_F(MemoryTest, WhatNoJobWillGiveBackIsNotWaitedFor) {
