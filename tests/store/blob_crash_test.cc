@@ -171,5 +171,20 @@ TEST_F(BlobCrashTest, BytesAreOnTheDiskBeforeTheirNameAndThatBeforeTheAnswer) {
   EXPECT_LT(folder_sync, answer);
 }
 
+// So that what was deleted does not come back.
+TEST_F(BlobCrashTest, AnErasureIsOnTheDiskBeforeTheAnswer) {
+  ASSERT_TRUE(Open().ok());
+  PutBystander();
+  Close();
+  const TracedRun run = RunTraced(
+      [&] { (void)Open(); }, [&] { return store_->Erase(Name('b')).ok(); });
+  if (!run.is_permitted) {
+    GTEST_SKIP() << "this machine forbids to trace a child";
+  }
+  const auto erased = std::ranges::find(run.calls, SYS_unlinkat);
+  ASSERT_NE(erased, run.calls.end());
+  EXPECT_NE(std::find(erased, run.calls.end(), SYS_fsync), run.calls.end());
+}
+
 }  // namespace
 }  // namespace geodesic::server

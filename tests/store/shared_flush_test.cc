@@ -38,6 +38,33 @@ TEST(SharedFlushTest, CoversWhatCameBefore) {
   EXPECT_EQ(flushed, 8000);
 }
 
+TEST(SharedFlushTest, AllWhoShareItHearItsError) {
+  SharedFlush flush;
+  const absl::Status full = absl::ResourceExhaustedError("full");
+  std::atomic<int> calls = 0;
+  std::atomic<int> flushes = 0;
+  std::atomic<int> fine = 0;
+  // Until some have shared one.
+  while (flushes == calls) {
+    std::vector<std::jthread> threads;
+    for (int i = 0; i < 8; ++i) {
+      threads.emplace_back([&] {
+        for (int round = 0; round < 100; ++round) {
+          ++calls;
+          fine += flush
+                      .Run([&] {
+                        ++flushes;
+                        std::this_thread::yield();
+                        return full;
+                      })
+                      .ok();
+        }
+      });
+    }
+  }
+  EXPECT_EQ(fine, 0);
+}
+
 TEST(SharedFlushTest, TellsItsErrorAndTriesAgain) {
   SharedFlush flush;
   const absl::Status full = absl::ResourceExhaustedError("full");

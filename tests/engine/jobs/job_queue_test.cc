@@ -93,6 +93,19 @@ TEST_F(JobQueueTest, WhoHasUsedLessGoesFirst) {
   EXPECT_EQ(StartAll(), (Numbers{6, 2}));
 }
 
+// Also where the one whose turn it is has enough that run.
+TEST_F(JobQueueTest, OfThoseWhoMayStartWhoHasUsedLessGoesFirst) {
+  using std::chrono::milliseconds;
+  for (const char* client : {"runs", "long", "short"}) {
+    for (int i = 0; i < 2; ++i) Push(JobPriority::kRow, client);
+  }
+  for (const uint64_t number : {0, 2, 4}) queue_.StartOutOfTurn(number);
+  queue_.Done("long", milliseconds(300));
+  queue_.Done("short", milliseconds(2));
+  EXPECT_EQ(queue_.Next(), 1);
+  EXPECT_EQ(queue_.NextWithin(1), 5);
+}
+
 TEST_F(JobQueueTest, WhoComesBackStandsBehindTheOthers) {
   Push(JobPriority::kSolve, "many");  // 0
   Push(JobPriority::kSolve, "many");  // 1

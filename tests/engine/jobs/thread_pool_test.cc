@@ -27,6 +27,24 @@ TEST(ThreadPool, RunsEveryTaskBeforeItGoes) {
   EXPECT_EQ(count, 1000);
 }
 
+// Though each task leaves its thread a small share, and no thread is replaced
+// once the pool goes.
+TEST(ThreadPool, SoDoThreadsOfASmallShare) {
+  std::atomic<int> count = 0;
+  {
+    ThreadPool pool(1);
+    for (int i = 0; i < 100; ++i) {
+      pool.Schedule(
+          [&] {
+            ShareByAge(kYoung);
+            ++count;
+          },
+          ThreadKind::kCompute);
+    }
+  }
+  EXPECT_EQ(count, 100);
+}
+
 // Each task waits for the other: with fewer than two threads this never ends.
 TEST(ThreadPool, RunsTasksSideBySide) {
   std::latch both(2);

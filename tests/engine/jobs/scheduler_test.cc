@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -88,69 +89,6 @@ TEST(SchedulerIdleTest, ThreadsThatNoJobHasOrWaitsForAreIdle) {
   // One after the other; the last of them has the scheduler to itself.
   EXPECT_THAT(idle, ElementsAre(0, 0, 0, 1, 2));
   EXPECT_THAT(threads, ElementsAre(1, 1, 1, 2, 2));
-}
-
-// Beside a job that has run long another client's may start, but no more than
-// that.
-TEST(SchedulerLongTest, NobodyWaitsForOthersLongJobs) {
-  test::ManualExecutor executor;
-  Scheduler scheduler(executor, /*max_running=*/1, /*max_queued=*/9);
-  std::vector<std::string> ran;
-  const auto submit = [&](
-                          std::string client,
-                          std::function<void()> meanwhile = [] {}) {
-    ASSERT_TRUE(scheduler
-                    .Submit({.client = client,
-                             .run =
-                                 [&ran, client, meanwhile](std::stop_token) {
-                                   meanwhile();
-                                   ran.push_back(client);
-                                 }})
-                    .ok());
-  };
-  submit("long", [&] {
-    submit("long");
-    submit("short", [&] {
-      EXPECT_EQ(scheduler.running(), 2u);
-      EXPECT_EQ(scheduler.idle(), 0u);
-      submit("third");
-      EXPECT_FALSE(executor.RunOne()) << "a short job has the thread";
-      scheduler.LetOthersStart();
-      EXPECT_TRUE(executor.RunOne());
-    });
-    EXPECT_FALSE(executor.RunOne());
-    scheduler.LetOthersStart();
-    EXPECT_TRUE(executor.RunOne());
-    EXPECT_FALSE(executor.RunOne()) << "its client has one that runs";
-  });
-  executor.RunAll();
-  EXPECT_THAT(ran, ElementsAre("third", "short", "long", "long"));
-}
-
-// What nobody waits for takes half of the disk's threads at the most.
-TEST(SchedulerDiskTest, StoresLeaveThreadsToWhoWaits) {
-  test::ManualExecutor executor;
-  Scheduler scheduler(executor, /*max_running=*/1, /*max_queued=*/9);
-  int stored = 0;
-  bool was_read = false;
-  scheduler.Store([&] {
-    EXPECT_TRUE(executor.RunOne());
-    ++stored;
-  });
-  scheduler.Store([&] {
-    executor.RunAll();
-    EXPECT_EQ(stored, 0) << "two are written: the third waits";
-    EXPECT_TRUE(scheduler
-                    .Submit({.waits_for_disk = [] { return true; },
-                             .run = [&](std::stop_token) { was_read = true; }})
-                    .ok());
-    executor.RunAll();
-    EXPECT_TRUE(was_read);
-    ++stored;
-  });
-  scheduler.Store([&] { ++stored; });
-  executor.RunAll();
-  EXPECT_EQ(stored, 3);
 }
 
 TEST(SchedulerIdleTest, PreparationsRunBesideTheOthersOneAtATime) {
@@ -303,6 +241,34 @@ TEST_F(MemoryTest, WhoWaitedBehindADroppedJobGoesOn) {
   executor_.RunAll();
   EXPECT_THAT(ran_, ElementsAre("a", "c"));
   EXPECT_EQ(memory_->used(), 0);
+}
+
+TEST_F(MemoryTest, NobodyLacksMemoryOnceTheOneWhoDidIsDropped) {
+  absl::StatusOr<Scheduler::JobId> large;
+  while_running_["a"] = [&] {
+    executor_.RunAll();
+    EXPECT_TRUE(wide_.lacks_memory());
+    wide_.Cancel(*large);
+    EXPECT_FALSE(wide_.lacks_memory());
+  };
+  ASSERT_TRUE(wide_.Submit(HungryJob("a", 60)).ok());
+  large = wide_.Submit(HungryJob("b", 60));
+  ASSERT_TRUE(large.ok());
+  executor_.RunAll();
+  EXPECT_THAT(ran_, ElementsAre("a"));
+}
+
+TEST_F(MemoryTest, WhatIsRefusedDoesNotCountAsRunning) {
+  Scheduler narrow(executor_, /*max_running=*/1, /*max_queued=*/10);
+  for (const uint64_t bytes : {101, 10}) {
+    Job job = HungryJob(std::to_string(bytes), bytes);
+    job.client = "one";
+    ASSERT_TRUE(narrow.Submit(std::move(job)).ok());
+    executor_.RunAll();
+  }
+  EXPECT_THAT(abandoned_, ElementsAre("101"));
+  EXPECT_THAT(ran_, ElementsAre("10"));
+  EXPECT_EQ(narrow.queued(), 0);
 }
 
 TEST_F(MemoryTest, WhatNoJobWillGiveBackIsNotWaitedFor) {
