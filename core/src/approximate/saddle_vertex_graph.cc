@@ -211,7 +211,7 @@ SaddleVertexGraph::FromArcs(const Mesh& mesh, std::vector<uint64_t> offsets,
 // that paths lead.
 absl::Status SaddleVertexGraph::Join(const std::vector<std::vector<Arc>>& found,
                                      Checkpoint& checkpoint) {
-  uint64_t found_bytes = found.capacity() * sizeof(found[0]);
+  uint64_t found_bytes = found.capacity() * sizeof(std::vector<Arc>);
   for (const std::vector<Arc>& arcs : found) {
     found_bytes += arcs.capacity() * sizeof(Arc);
   }

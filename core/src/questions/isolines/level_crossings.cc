@@ -143,7 +143,8 @@ absl::StatusOr<LevelCrossings::Range> LevelCrossings::CrossingsOf(
     HalfEdge h, std::span<const double> distances, const Poll& poll) {
   const auto [begin, end] = LevelsOn(h, distances);
   if (begin == end) return Range();
-  const auto [low, high] = std::minmax({mesh_.From(h), mesh_.To(h)});
+  const uint32_t low = std::min(mesh_.From(h), mesh_.To(h));
+  const uint32_t high = std::max(mesh_.From(h), mesh_.To(h));
   const HalfEdge edge = mesh_.FirstOfEdge(h);
   const auto [known, is_new] = edges_.try_emplace(edge);
   if (!is_new) return known->second;
