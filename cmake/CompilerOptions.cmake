@@ -16,6 +16,11 @@ target_compile_features(geodesic_options INTERFACE cxx_std_20)
 target_compile_options(geodesic_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wno-missing-field-initializers
   -ffp-contract=off -fno-math-errno -fno-trapping-math)
+if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+  # What a lock guards is used under that lock: server/locks/mutex.h.
+  target_compile_options(geodesic_options INTERFACE
+    -Wthread-safety -Werror=thread-safety)
+endif()
 
 if(GEODESIC_SANITIZE)
   add_compile_options(-fsanitize=${GEODESIC_SANITIZE} -fno-omit-frame-pointer

@@ -28,7 +28,7 @@ absl::Status ByteBudget::Take(uint64_t bytes) {
 }
 
 bool ByteBudget::TryTake(uint64_t bytes) {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   if (bytes > capacity_ - used_) return false;
   used_ += bytes;
   return true;
@@ -39,7 +39,7 @@ absl::Status ByteBudget::CheckCapacity(uint64_t bytes) const {
 }
 
 void ByteBudget::Return(uint64_t bytes) {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   used_ -= bytes;
 }
 
@@ -63,7 +63,7 @@ absl::Status ByteBudget::Exhausted(uint64_t bytes) const {
 }
 
 uint64_t ByteBudget::used() const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   return used_;
 }
 

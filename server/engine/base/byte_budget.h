@@ -11,12 +11,12 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <utility>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "server/locks/mutex.h"
 
 namespace geodesic::server {
 
@@ -58,8 +58,8 @@ class ByteBudget {
   const uint64_t capacity_;
   std::function<void()> give_back_;  // may be empty
 
-  mutable std::mutex mutex_;
-  uint64_t used_ = 0;  // guarded by mutex_
+  mutable Mutex mutex_;
+  uint64_t used_ ABSL_GUARDED_BY(mutex_) = 0;
 };
 
 // Bytes taken from a budget, returned on destruction. Movable; not thread-safe.

@@ -22,7 +22,6 @@
 #include <list>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,6 +29,7 @@
 #include "absl/functional/function_ref.h"
 #include "absl/status/statusor.h"
 #include "server/engine/base/byte_budget.h"
+#include "server/locks/mutex.h"
 
 namespace geodesic::server {
 
@@ -51,7 +51,7 @@ class LruStore {
 
   // Marks the entry as used. Null when absent.
   Handle Find(const Key& key) {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     const auto it = entries_.find(key);
     if (it == entries_.end()) return nullptr;
     recency_.splice(recency_.end(), recency_, it->second.position);
@@ -60,7 +60,7 @@ class LruStore {
 
   // The same, but marks nothing as used.
   Handle Peek(const Key& key) const {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     const auto it = entries_.find(key);
     return it == entries_.end() ? nullptr : ToHandle(it->second.charged);
   }
@@ -73,7 +73,7 @@ class LruStore {
   // Makes room. O(n) when something has to be evicted.
   // Errors: RESOURCE_EXHAUSTED naming the store, its capacity and the need.
   absl::StatusOr<ByteReservation> Reserve(uint64_t bytes) {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     absl::StatusOr<ByteReservation> room =
         ByteReservation::Make(budget_, bytes);
     if (room.ok() || !EvictionMakesRoom(bytes)) return room;
@@ -104,7 +104,7 @@ class LruStore {
         std::make_shared<const Charged>(std::move(charge), std::move(value));
     // Allocated first, because an exception must not leave half an entry.
     std::list<const Key*> node(1, nullptr);
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     const auto [it, is_new] = entries_.try_emplace(std::move(key));
     if (is_new) {
       it->second.charged = std::move(charged);
@@ -121,7 +121,7 @@ class LruStore {
 
   // Removes the entry; handles to it stay valid. Returns whether there was one.
   bool Erase(const Key& key) {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     const auto it = entries_.find(key);
     if (it == entries_.end()) return false;
     Remove(it);
@@ -131,7 +131,7 @@ class LruStore {
   // Removes the entries whose key satisfies `predicate`. O(n).
   template <typename Predicate>
   void EraseIf(Predicate predicate) {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     for (auto it = entries_.begin(); it != entries_.end();) {
       const auto entry = it++;
       if (predicate(entry->first)) Remove(entry);
@@ -141,7 +141,7 @@ class LruStore {
   // Up to `count` entries in order of key, from the first key above `after`.
   // Marks nothing as used. O(log n + count).
   std::vector<Handle> List(const Key& after, size_t count) const {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     std::vector<Handle> page;
     for (auto it = entries_.upper_bound(after);
          it != entries_.end() && page.size() < count; ++it) {
@@ -151,13 +151,13 @@ class LruStore {
   }
 
   size_t size() const {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     return entries_.size();
   }
 
   // Entries evicted to make room, since the start.
   uint64_t evictions() const {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     return evictions_;
   }
 
@@ -189,7 +189,8 @@ class LruStore {
     return entry.charged.use_count() > 1;
   }
 
-  bool EvictionMakesRoom(uint64_t bytes) const {
+  bool EvictionMakesRoom(uint64_t bytes) const
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     uint64_t room = budget_->capacity() - budget_->used();
     for (const auto& [key, entry] : entries_) {
       if (!IsPinned(entry)) room += entry.charged->charge.bytes();
@@ -197,7 +198,8 @@ class LruStore {
     return bytes <= room;
   }
 
-  void Remove(typename Entries::iterator it) {
+  void Remove(typename Entries::iterator it)
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     if (removed_) removed_(it->first);
     recency_.erase(it->second.position);
     entries_.erase(it);
@@ -206,11 +208,11 @@ class LruStore {
   const std::shared_ptr<ByteBudget> budget_;
   const std::function<void(const Key&)> removed_;
 
-  mutable std::mutex mutex_;
-  // Guarded by mutex_:
-  Entries entries_;
-  std::list<const Key*> recency_;  // keys of entries_, oldest first
-  uint64_t evictions_ = 0;
+  mutable Mutex mutex_;
+  Entries entries_ ABSL_GUARDED_BY(mutex_);
+  // Keys of entries_, oldest first.
+  std::list<const Key*> recency_ ABSL_GUARDED_BY(mutex_);
+  uint64_t evictions_ ABSL_GUARDED_BY(mutex_) = 0;
 };
 
 }  // namespace geodesic::server

@@ -18,23 +18,21 @@ RowPipeline::RowPipeline(SoloJobs& jobs, Scheduler& scheduler, RowJobs plan,
                          std::function<void()> on_row)
     : jobs_(jobs),
       scheduler_(scheduler),
-      plan_(std::move(plan)),
       rows_(rows),
       function_(std::move(function)),
+      plan_(std::move(plan)),
       on_row_(std::move(on_row)),
       next_row_(plan_.first_row),
       next_take_(plan_.first_row),
       rows_finished_(plan_.first_row) {}
 
 absl::Status RowPipeline::Start() {
-  Scheduler::Place place;
+  MutexLock lock(mutex_);
   if (!plan_.is_continuation) {
     absl::StatusOr<Scheduler::Place> held = scheduler_.HoldPlace(plan_.client);
     if (!held.ok()) return held.status();
-    place = *std::move(held);
+    place_ = *std::move(held);
   }
-  std::lock_guard lock(mutex_);
-  place_ = std::move(place);
   return SubmitNext();
 }
 
@@ -83,7 +81,7 @@ void RowPipeline::Release() {
 }
 
 void RowPipeline::Begin() {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   is_waiting_ = false;
   GoOn();
 }
@@ -92,7 +90,7 @@ void RowPipeline::Finish(uint64_t row, const JobReport& report,
                          MatrixRow result) {
   std::function<void()> on_row;
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     running_.erase(row);
     seconds_ += report.seconds;
     windows_propagated_ += report.windows_propagated;
@@ -111,7 +109,7 @@ void RowPipeline::Finish(uint64_t row, const JobReport& report,
 }
 
 std::optional<absl::StatusOr<MatrixRow>> RowPipeline::Take() {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   // Rows before the one that failed are still handed out.
   const auto it = finished_.find(next_take_);
   if (it == finished_.end()) {
@@ -131,7 +129,7 @@ void RowPipeline::Cancel() {
   std::map<uint64_t, MatrixRow> finished;
   std::function<void()> on_row;
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     if (failure_.ok()) failure_ = absl::CancelledError("nobody waits");
     Release();
     running.swap(running_);
@@ -142,17 +140,17 @@ void RowPipeline::Cancel() {
 }
 
 uint64_t RowPipeline::rows_finished() const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   return rows_finished_;
 }
 
 double RowPipeline::seconds() const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   return seconds_;
 }
 
 uint64_t RowPipeline::windows_propagated() const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   return windows_propagated_;
 }
 

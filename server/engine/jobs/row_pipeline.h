@@ -9,7 +9,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 
@@ -21,6 +20,7 @@
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/base/clock.h"
 #include "server/engine/jobs/solo_job.h"
+#include "server/locks/mutex.h"
 
 namespace geodesic::server {
 
@@ -93,32 +93,32 @@ class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
   void Begin();
   void Finish(uint64_t row, const JobReport& report, MatrixRow result);
 
-  // These REQUIRE mutex_ held:
-  absl::Status SubmitNext();
+  absl::Status SubmitNext() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
   // Submits the next row when it is due.
-  void GoOn();
+  void GoOn() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
   // No more rows will be submitted.
-  void Release();
+  void Release() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
 
   SoloJobs& jobs_;
   Scheduler& scheduler_;
-  RowJobs plan_;  // constant, but for the account, which mutex_ guards
   const uint64_t rows_;
   const RowFunction function_;
 
-  mutable std::mutex mutex_;
-  // Guarded by mutex_:
-  std::function<void()> on_row_;
-  Scheduler::Place place_;
-  bool is_waiting_ = false;  // row next_row_ - 1 waits for a thread
-  uint64_t next_row_;        // the next to submit
-  uint64_t next_take_;       // the next to take
-  std::map<uint64_t, SoloJobs::Call> running_;
-  std::map<uint64_t, MatrixRow> finished_;
-  absl::Status failure_;
-  uint64_t rows_finished_;
-  double seconds_ = 0;
-  uint64_t windows_propagated_ = 0;
+  mutable Mutex mutex_;
+  RowJobs plan_ ABSL_GUARDED_BY(mutex_);
+  std::function<void()> on_row_ ABSL_GUARDED_BY(mutex_);
+  Scheduler::Place place_ ABSL_GUARDED_BY(mutex_);
+  // Row next_row_ - 1 waits for a thread.
+  bool is_waiting_ ABSL_GUARDED_BY(mutex_) = false;
+  // The next to submit, and the next to take.
+  uint64_t next_row_ ABSL_GUARDED_BY(mutex_);
+  uint64_t next_take_ ABSL_GUARDED_BY(mutex_);
+  std::map<uint64_t, SoloJobs::Call> running_ ABSL_GUARDED_BY(mutex_);
+  std::map<uint64_t, MatrixRow> finished_ ABSL_GUARDED_BY(mutex_);
+  absl::Status failure_ ABSL_GUARDED_BY(mutex_);
+  uint64_t rows_finished_ ABSL_GUARDED_BY(mutex_);
+  double seconds_ ABSL_GUARDED_BY(mutex_) = 0;
+  uint64_t windows_propagated_ ABSL_GUARDED_BY(mutex_) = 0;
 };
 
 }  // namespace geodesic::server

@@ -20,6 +20,12 @@ constexpr size_t kStoreThreads = kDiskThreads / 2;
 // The default of max_queued_jobs.
 constexpr uint64_t kMostOvertaken = 256;
 
+// Takes the memory of a job. Errors: as Job::reserve.
+absl::Status Reserve(Job& job) {
+  if (!job.reserve) return absl::OkStatus();
+  return Guarded("made room for a job", [&] { return job.reserve(); });
+}
+
 }  // namespace
 
 Scheduler::Scheduler(Executor& executor, size_t max_running, size_t max_queued,
@@ -31,8 +37,8 @@ Scheduler::Scheduler(Executor& executor, size_t max_running, size_t max_queued,
 
 Scheduler::~Scheduler() {
   StopAll();
-  std::unique_lock lock(mutex_);
-  idle_.wait(lock, [this] { return IsIdle(); });
+  MutexLock lock(mutex_);
+  while (!IsIdle()) idle_.wait(lock);
 }
 
 void Scheduler::ObserveJobs(const Clock& clock,
@@ -46,7 +52,7 @@ TimePoint Scheduler::Now() const {
 }
 
 absl::StatusOr<Scheduler::JobId> Scheduler::Submit(Job job) {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   if (stopped_) return ShuttingDown();
   if (!job.is_continuation) {
     absl::Status status = CheckRoom(job.client, /*runs_at_once=*/true);
@@ -70,12 +76,12 @@ void Scheduler::Store(absl::AnyInvocable<void()> write) {
 
 absl::StatusOr<Scheduler::Place> Scheduler::HoldPlace(
     const std::string& client) {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   absl::Status status = CheckRoom(client, /*runs_at_once=*/false);
   if (!status.ok()) return status;
   LineOf(ThreadKind::kCompute).queue.Hold(client);
   return Place(this, [client](Scheduler* scheduler) {
-    std::lock_guard release_lock(scheduler->mutex_);
+    MutexLock release_lock(scheduler->mutex_);
     scheduler->LineOf(ThreadKind::kCompute).queue.Release(client);
   });
 }
@@ -139,22 +145,22 @@ std::optional<uint64_t> Scheduler::Next(const Line& line) const {
 }
 
 void Scheduler::AskForThreads() {
-  for (size_t kind = 0; kind < lines_.size(); ++kind) {
-    Line& line = lines_[kind];
+  for (const ThreadKind kind :
+       {ThreadKind::kCompute, ThreadKind::kDisk, ThreadKind::kBeside}) {
+    Line& line = LineOf(kind);
     if (!Next(line).has_value()) continue;
     // A thread for each job that runs, and one for each that might.
     const size_t wanted =
         line.running + std::min(FreeThreads(line), line.queue.size());
     while (line.workers < wanted) {
       ++line.workers;
-      executor_.Schedule([this, &line] { RunOne(line); },
-                         static_cast<ThreadKind>(kind));
+      executor_.Schedule([this, kind] { RunOne(kind); }, kind);
     }
   }
 }
 
 void Scheduler::LetOthersStart() {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   const auto job = std::ranges::find_if(running_, [](const auto& running) {
     return running.second.thread == std::this_thread::get_id() &&
            !running.second.is_long;
@@ -170,7 +176,7 @@ void Scheduler::Cancel(JobId id) {
   std::optional<WaitingJob> dropped;
   std::stop_source source(std::nostopstate);
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     for (Line& line : lines_) {
       if (!dropped.has_value()) dropped = line.queue.Remove(id);
     }
@@ -185,18 +191,18 @@ void Scheduler::Cancel(JobId id) {
 }
 
 void Scheduler::Expedite(JobId id, JobPriority priority) {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   for (Line& line : lines_) line.queue.Expedite(id, priority);
   AskForThreads();
 }
 
 void Scheduler::BeginDrain() {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   draining_ = true;
 }
 
 bool Scheduler::is_draining() const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   return draining_;
 }
 
@@ -204,7 +210,7 @@ void Scheduler::StopAll() {
   std::vector<WaitingJob> abandoned;
   std::vector<std::stop_source> stopped;
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     draining_ = true;
     stopped_ = true;
     for (Line& line : lines_) {
@@ -217,12 +223,13 @@ void Scheduler::StopAll() {
 }
 
 bool Scheduler::WaitIdle(std::chrono::milliseconds limit) {
-  std::unique_lock lock(mutex_);
-  return idle_.wait_for(lock, limit, [this] {
-    return IsIdle() && std::ranges::all_of(lines_, [](const Line& line) {
-             return line.queue.empty();
-           });
-  });
+  MutexLock lock(mutex_);
+  return idle_.wait_for(
+      lock, limit, [this]() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
+        return IsIdle() && std::ranges::all_of(lines_, [](const Line& line) {
+                 return line.queue.empty();
+               });
+      });
 }
 
 bool Scheduler::IsIdle() const {
@@ -238,68 +245,77 @@ Scheduler::Line& Scheduler::LineOf(const Job& job) {
 }
 
 size_t Scheduler::running() const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   return running_.size();
 }
 
 size_t Scheduler::idle() const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   const Line& line = LineOf(ThreadKind::kCompute);
   const size_t taken = line.running + line.queue.size();
   return taken < max_running_ ? max_running_ - taken : 0;
 }
 
 bool Scheduler::HasSeveralClients() const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   return LineOf(ThreadKind::kCompute).queue.clients() > 1;
 }
 
 bool Scheduler::is_busy() const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   return 2 * LineOf(ThreadKind::kCompute).running >= max_running_;
 }
 
 bool Scheduler::lacks_memory() const {
-  std::lock_guard lock(mutex_);
-  const auto lacks = [this](ThreadKind kind) {
-    const Line& line = LineOf(kind);
+  MutexLock lock(mutex_);
+  const auto lacks = [](const Line& line) {
     return line.lacks_memory && !line.queue.empty();
   };
-  return lacks(ThreadKind::kCompute) || lacks(ThreadKind::kDisk);
+  return lacks(LineOf(ThreadKind::kCompute)) ||
+         lacks(LineOf(ThreadKind::kDisk));
 }
 
 size_t Scheduler::queued() const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   return LineOf(ThreadKind::kCompute).queue.size() +
          LineOf(ThreadKind::kDisk).queue.size();
 }
 
-void Scheduler::RunOne(Line& line) {
-  std::unique_lock lock(mutex_);
-  JobId id = 0;
+void Scheduler::RunOne(ThreadKind kind) {
+  MutexLock lock(mutex_);
+  Line& line = LineOf(kind);
   bool progressed = false;
-  if (std::optional<WaitingJob> started =
-          StartNext(lock, line, id, progressed)) {
+  std::optional<StartedJob> started = StartNext(line);
+  for (; started && !started->memory.ok(); started = StartNext(line)) {
     progressed = true;
+    line.queue.Done(started->waiting.job.client, Duration{0});
+    lock.unlock();
+    started->waiting.job.abandon(started->memory);
+    started.reset();
+    lock.lock();
+  }
+  if (started) {
+    progressed = true;
+    const JobId id = started->id;
     const std::stop_source source;
     running_[id] = {source, std::this_thread::get_id(), &line};
     ++line.running;
-    const bool is_store = started->job.priority == JobPriority::kStore;
+    const bool is_store = started->waiting.job.priority == JobPriority::kStore;
     if (is_store) ++line.stores;
-    const std::string client = started->job.client;
+    const std::string client = started->waiting.job.client;
     lock.unlock();
     Duration ran{0};
-    bool goes_on = Run(*started, source, ran);
+    bool goes_on = Run(started->waiting, source, ran);
     lock.lock();
     line.queue.Done(client, ran);
     if (goes_on && !stopped_ && !source.stop_requested()) {
-      Line& next = LineOf(started->job);
-      next.queue.Push(id, {std::move(started->job), Now()});
+      Line& next = LineOf(started->waiting.job);
+      next.queue.Push(id, {std::move(started->waiting.job), Now()});
     } else if (goes_on) {
       // Frees what the job captured without the lock, before it counts as done.
       const bool is_end = stopped_;
       lock.unlock();
-      if (is_end) started->job.abandon(ShuttingDown());
+      if (is_end) started->waiting.job.abandon(ShuttingDown());
       started.reset();
       lock.lock();
     }
@@ -333,46 +349,27 @@ bool Scheduler::Run(WaitingJob& started, const std::stop_source& source,
   return goes_on;
 }
 
-absl::Status Scheduler::Reserve(Job& job) {
-  if (!job.reserve) return absl::OkStatus();
-  return Guarded("made room for a job", [&] { return job.reserve(); });
-}
-
-std::optional<WaitingJob> Scheduler::StartNext(
-    std::unique_lock<std::mutex>& lock, Line& line, JobId& id,
-    bool& progressed) {
+std::optional<Scheduler::StartedJob> Scheduler::StartNext(Line& line) {
+  const std::optional<JobId> id = Next(line);
+  if (!id.has_value()) return std::nullopt;
   JobQueue& queue = line.queue;
-  while (const std::optional<uint64_t> number = Next(line)) {
-    id = *number;
-    const bool is_its_turn = id == queue.Next();
-    const auto start = [&] {
-      return is_its_turn ? queue.Start() : queue.StartOutOfTurn(id);
-    };
-    WaitingJob& next = queue.waiting(id);
-    const absl::Status room = Reserve(next.job);
-    line.lacks_memory = RetryAfter(room).has_value();
-    if (room.ok()) return start();
-    if (line.lacks_memory) {
-      if (!running_.empty()) return std::nullopt;
-      const auto can_start = [](Job& job) { return Reserve(job).ok(); };
-      const std::optional<uint64_t> other = next.overtaken < kMostOvertaken
-                                                ? queue.Oldest(can_start)
-                                                : std::nullopt;
-      if (other.has_value()) {
-        ++next.overtaken;
-        id = *other;
-        return queue.StartOutOfTurn(*other);
-      }
+  WaitingJob& next = queue.waiting(*id);
+  absl::Status memory = Reserve(next.job);
+  line.lacks_memory = RetryAfter(memory).has_value();
+  if (line.lacks_memory) {
+    if (!running_.empty()) return std::nullopt;
+    const auto can_start = [](Job& job) { return Reserve(job).ok(); };
+    const std::optional<JobId> other = next.overtaken < kMostOvertaken
+                                           ? queue.Oldest(can_start)
+                                           : std::nullopt;
+    if (other.has_value()) {
+      ++next.overtaken;
+      return StartedJob{*other, queue.StartOutOfTurn(*other)};
     }
-    WaitingJob refused = start();
-    queue.Done(refused.job.client, Duration{0});
-    progressed = true;
-    lock.unlock();
-    refused.job.abandon(room);
-    refused = WaitingJob();
-    lock.lock();
   }
-  return std::nullopt;
+  return StartedJob{
+      *id, *id == queue.Next() ? queue.Start() : queue.StartOutOfTurn(*id),
+      std::move(memory)};
 }
 
 }  // namespace geodesic::server

@@ -13,7 +13,6 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -25,6 +24,7 @@
 #include "server/engine/base/clock.h"
 #include "server/engine/jobs/job_queue.h"
 #include "server/engine/jobs/thread_pool.h"
+#include "server/locks/mutex.h"
 
 namespace geodesic::server {
 
@@ -143,33 +143,47 @@ class Scheduler {
     bool lacks_memory = false;
   };
 
-  void RunOne(Line& line);
+  struct StartedJob {
+    JobId id;
+    WaitingJob waiting;
+    absl::Status memory;  // why it never gets its memory
+  };
+  struct RunningJob {
+    std::stop_source source;
+    std::thread::id thread;
+    Line* line = nullptr;
+    bool is_long = false;
+  };
+
+  void RunOne(ThreadKind kind);
   TimePoint Now() const;
   // Runs the job, and says for how long; returns whether it goes on.
   bool Run(WaitingJob& started, const std::stop_source& source, Duration& ran);
 
-  // The rest REQUIRES: mutex_ held.
-
-  Line& LineOf(ThreadKind kind) { return lines_[static_cast<size_t>(kind)]; }
-  const Line& LineOf(ThreadKind kind) const {
+  Line& LineOf(ThreadKind kind) ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     return lines_[static_cast<size_t>(kind)];
   }
-  Line& LineOf(const Job& job);
-  bool IsIdle() const;  // no thread has a job, or was asked to take one
+  const Line& LineOf(ThreadKind kind) const
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
+    return lines_[static_cast<size_t>(kind)];
+  }
+  Line& LineOf(const Job& job) ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
+  // No thread has a job, or was asked to take one.
+  bool IsIdle() const ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
   // How many jobs of the line may start now.
-  size_t FreeThreads(const Line& line) const;
+  size_t FreeThreads(const Line& line) const
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
   // The one that may start first, if there is one.
-  std::optional<uint64_t> Next(const Line& line) const;
+  std::optional<uint64_t> Next(const Line& line) const
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
   // `runs_at_once`: the job needs no place if a thread is free for it.
-  absl::Status CheckRoom(const std::string& client, bool runs_at_once) const;
-  // Takes the memory of a job. Errors: as Job::reserve.
-  static absl::Status Reserve(Job& job);
+  absl::Status CheckRoom(const std::string& client, bool runs_at_once) const
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
   // Asks the executor for as many threads as jobs may use.
-  void AskForThreads();
-  // The next job, if its memory is available. Jobs that will never get theirs
-  // are abandoned, without the lock; `progressed` then becomes true.
-  std::optional<WaitingJob> StartNext(std::unique_lock<std::mutex>& lock,
-                                      Line& line, JobId& id, bool& progressed);
+  void AskForThreads() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
+  // The next job, if its memory is available or never will be.
+  std::optional<StartedJob> StartNext(Line& line)
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
 
   Executor& executor_;
   const size_t max_running_;
@@ -179,20 +193,13 @@ class Scheduler {
   const Clock* clock_ = nullptr;  // null: nobody asks for times
   std::function<void(const JobTimes&)> ended_;
 
-  mutable std::mutex mutex_;
-  std::condition_variable idle_;
-  // Guarded by mutex_:
-  std::array<Line, kThreadKinds> lines_;
-  struct RunningJob {
-    std::stop_source source;
-    std::thread::id thread;
-    Line* line = nullptr;
-    bool is_long = false;
-  };
-  std::map<JobId, RunningJob> running_;
-  uint64_t next_number_ = 0;
-  bool draining_ = false;
-  bool stopped_ = false;
+  mutable Mutex mutex_;
+  std::condition_variable_any idle_;
+  std::array<Line, kThreadKinds> lines_ ABSL_GUARDED_BY(mutex_);
+  std::map<JobId, RunningJob> running_ ABSL_GUARDED_BY(mutex_);
+  uint64_t next_number_ ABSL_GUARDED_BY(mutex_) = 0;
+  bool draining_ ABSL_GUARDED_BY(mutex_) = false;
+  bool stopped_ ABSL_GUARDED_BY(mutex_) = false;
 };
 
 // For a solve that starts now in a job of the scheduler: it shares its work

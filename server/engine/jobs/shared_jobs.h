@@ -21,7 +21,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -39,6 +38,7 @@
 #include "server/engine/base/status_details.h"
 #include "server/engine/jobs/job_checkpoint.h"
 #include "server/engine/jobs/scheduler.h"
+#include "server/locks/mutex.h"
 
 namespace geodesic::server {
 
@@ -124,12 +124,12 @@ class SharedJobs {
       absl::FunctionRef<SharedWork<Result, Shared>()> make) {
     // Held until the waiter is on the list, so the job cannot end before that,
     // and nobody joins a job that is refused.
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     const auto it = open_.find(key);
     std::shared_ptr<Entry> entry;
     if (it != open_.end()) {
       entry = it->second;
-      scheduler_.Expedite(entry->job, priority);
+      scheduler_.Expedite(StateOf(*entry).job, priority);
     } else {
       entry = std::make_shared<Entry>(*this, key);
       absl::Status status = Submit(entry, priority, make());
@@ -137,33 +137,39 @@ class SharedJobs {
       open_.emplace(key, entry);
     }
     const uint64_t number = next_number_++;
-    entry->waiters.emplace(number, std::move(waiter));
-    return Ticket{entry, number, it == open_.end(), entry->shared};
+    State& state = StateOf(*entry);
+    state.waiters.emplace(number, std::move(waiter));
+    return Ticket{entry, number, it == open_.end(), state.shared};
   }
 
   // Does nothing when the job has ended.
   void Leave(const Ticket& ticket) {
     if (ticket.entry == nullptr) return;
     typename Waiters::node_type left;  // destroyed after the lock is released
+    Scheduler::JobId job;
     {
-      std::lock_guard lock(mutex_);
-      left = ticket.entry->waiters.extract(ticket.number);
-      if (left.empty() || !ticket.entry->waiters.empty()) return;
+      MutexLock lock(mutex_);
+      State& state = StateOf(*ticket.entry);
+      left = state.waiters.extract(ticket.number);
+      if (left.empty() || !state.waiters.empty()) return;
       Close(*ticket.entry);
-      Keep(*ticket.entry, left.mapped().account);
+      Keep(state, left.mapped().account);
+      job = state.job;
     }
-    scheduler_.Cancel(ticket.entry->job);
+    scheduler_.Cancel(job);
   }
 
   // Jobs that wait or run, and those who wait for them.
   size_t size() const {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     return open_.size();
   }
   size_t waiters() const {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     size_t count = 0;
-    for (const auto& [key, entry] : open_) count += entry->waiters.size();
+    for (const auto& [key, entry] : open_) {
+      count += StateOf(*entry).waiters.size();
+    }
     return count;
   }
 
@@ -180,6 +186,13 @@ class SharedJobs {
     std::shared_ptr<const void> account = {};
   };
 
+  struct State {
+    Scheduler::JobId job = 0;
+    std::shared_ptr<Shared> shared;
+    Waiters waiters;
+    std::weak_ptr<Held> held;
+  };
+
   struct Entry final : public JobWaiters {
     Entry(SharedJobs& j, Key k) : jobs(j), key(std::move(k)) {}
 
@@ -192,17 +205,17 @@ class SharedJobs {
 
     SharedJobs& jobs;
     const Key key;
-    // Guarded by jobs.mutex_:
-    Scheduler::JobId job = 0;
-    std::shared_ptr<Shared> shared;
-    Waiters waiters;
-    std::weak_ptr<Held> held;
+    State state;  // for StateOf alone
   };
 
-  // REQUIRES: mutex_ held.
+  State& StateOf(Entry& entry) const ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
+    return entry.state;
+  }
+
   absl::Status Submit(const std::shared_ptr<Entry>& entry, JobPriority priority,
-                      Work work) {
-    entry->shared = std::move(work.shared);
+                      Work work) ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
+    State& state = StateOf(*entry);
+    state.shared = std::move(work.shared);
     auto held = std::make_shared<Held>(Held{std::move(work)});
     Job job{.priority = priority,
             .client = held->work.client,
@@ -233,8 +246,8 @@ class SharedJobs {
       End(*entry, why);
     };
     absl::StatusOr<Scheduler::JobId> id = scheduler_.Submit(std::move(job));
-    if (id.ok()) entry->job = *id;
-    entry->held = held;
+    if (id.ok()) state.job = *id;
+    state.held = held;
     return id.status();
   }
 
@@ -255,17 +268,18 @@ class SharedJobs {
     std::vector<Waiter<Result>> expired;
     bool is_abandoned = false;
     {
-      std::lock_guard lock(mutex_);
-      for (auto it = entry.waiters.begin(); it != entry.waiters.end();) {
+      MutexLock lock(mutex_);
+      State& state = StateOf(entry);
+      for (auto it = state.waiters.begin(); it != state.waiters.end();) {
         const auto waiter = it++;
         if (waiter->second.deadline > now) continue;
         expired.push_back(std::move(waiter->second));
-        entry.waiters.erase(waiter);
+        state.waiters.erase(waiter);
       }
-      is_abandoned = entry.waiters.empty();
+      is_abandoned = state.waiters.empty();
       if (is_abandoned) Close(entry);
       if (is_abandoned && !expired.empty()) {
-        Keep(entry, expired.back().account);
+        Keep(state, expired.back().account);
       }
     }
     for (Waiter<Result>& waiter : expired) {
@@ -280,8 +294,8 @@ class SharedJobs {
   void Publish(Entry& entry, const Progress& progress) {
     std::vector<std::function<void(const Progress&)>> listeners;
     {
-      std::lock_guard lock(mutex_);
-      for (const auto& [number, waiter] : entry.waiters) {
+      MutexLock lock(mutex_);
+      for (const auto& [number, waiter] : StateOf(entry).waiters) {
         if (waiter.progress) listeners.push_back(waiter.progress);
       }
     }
@@ -293,8 +307,8 @@ class SharedJobs {
   void End(Entry& entry, const absl::StatusOr<Result>& result) {
     Waiters waiters;
     {
-      std::lock_guard lock(mutex_);
-      waiters.swap(entry.waiters);
+      MutexLock lock(mutex_);
+      waiters.swap(StateOf(entry).waiters);
       Close(entry);
     }
     for (auto& [number, waiter] : waiters) {
@@ -304,13 +318,12 @@ class SharedJobs {
   }
 
   // Nobody waits any longer: keeps the last one's account as long as the job.
-  // REQUIRES: mutex_ held.
-  static void Keep(const Entry& entry, std::shared_ptr<const void>& account) {
-    if (const auto held = entry.held.lock()) held->account = std::move(account);
+  void Keep(const State& state, std::shared_ptr<const void>& account)
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
+    if (const auto held = state.held.lock()) held->account = std::move(account);
   }
 
-  // REQUIRES: mutex_ held.
-  void Close(const Entry& entry) {
+  void Close(const Entry& entry) ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     const auto it = open_.find(entry.key);
     // Another job may have taken the key since this one was closed.
     if (it != open_.end() && it->second.get() == &entry) open_.erase(it);
@@ -321,10 +334,9 @@ class SharedJobs {
   const Duration progress_interval_;
 
   // Taken before the scheduler's.
-  mutable std::mutex mutex_;
-  // Guarded by mutex_:
-  std::map<Key, std::shared_ptr<Entry>> open_;
-  uint64_t next_number_ = 0;
+  mutable Mutex mutex_;
+  std::map<Key, std::shared_ptr<Entry>> open_ ABSL_GUARDED_BY(mutex_);
+  uint64_t next_number_ ABSL_GUARDED_BY(mutex_) = 0;
 };
 
 }  // namespace geodesic::server

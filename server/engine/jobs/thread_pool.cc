@@ -1,6 +1,5 @@
 #include "server/engine/jobs/thread_pool.h"
 
-#include <algorithm>
 #include <chrono>
 #include <system_error>
 
@@ -18,7 +17,7 @@ ThreadPool::ThreadPool(size_t threads) {
   const std::array<size_t, kThreadKinds> counts = {threads, kDiskThreads, 1};
   for (size_t kind = 0; kind < counts.size(); ++kind) {
     for (size_t i = 0; i < counts[kind]; ++i) {
-      workers_.push_back({.line = lines_[kind]});
+      workers_.push_back({.kind = kind});
       Start(workers_.back());
     }
   }
@@ -27,22 +26,22 @@ ThreadPool::ThreadPool(size_t threads) {
 
 ThreadPool::~ThreadPool() {
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     stopping_ = true;
   }
-  is_spent_.notify_one();
+  spent_changed_.notify_one();
   replacer_.join();
-  for (Line& line : lines_) line.changed.notify_all();
+  for (auto& changed : tasks_changed_) changed.notify_all();
   workers_.clear();  // joins, while the other members still live
 }
 
 void ThreadPool::Schedule(Task task, ThreadKind kind) {
-  Line& line = lines_[static_cast<size_t>(kind)];
+  const auto index = static_cast<size_t>(kind);
   {
-    std::lock_guard lock(mutex_);
-    line.tasks.push_back(std::move(task));
+    MutexLock lock(mutex_);
+    tasks_[index].push_back(std::move(task));
   }
-  line.changed.notify_one();
+  tasks_changed_[index].notify_one();
 }
 
 void ThreadPool::Start(Worker& worker) {
@@ -50,51 +49,52 @@ void ThreadPool::Start(Worker& worker) {
 }
 
 void ThreadPool::Work(Worker& worker) {
-  Line& line = worker.line;
-  std::unique_lock lock(mutex_);
+  MutexLock lock(mutex_);
+  std::deque<Task>& tasks = tasks_[worker.kind];
   for (;;) {
-    line.changed.wait(lock, [&] { return stopping_ || !line.tasks.empty(); });
-    if (line.tasks.empty()) return;
-    Task task = std::move(line.tasks.front());
-    line.tasks.pop_front();
+    while (!stopping_ && tasks.empty()) tasks_changed_[worker.kind].wait(lock);
+    if (tasks.empty()) return;
+    Task task = std::move(tasks.front());
+    tasks.pop_front();
     lock.unlock();
     std::move(task)();
     task = nullptr;  // what it captured dies before the lock is taken
     lock.lock();
     if (HasSmallShare() && !stopping_) {
-      worker.is_spent = true;
-      is_spent_.notify_one();
+      spent_.push_back(&worker);
+      spent_changed_.notify_one();
       return;
     }
   }
 }
 
 void ThreadPool::Replace() {
-  std::unique_lock lock(mutex_);
+  MutexLock lock(mutex_);
   for (;;) {
-    const auto spent = [this] {
-      return std::ranges::find(workers_, true, &Worker::is_spent);
-    };
-    is_spent_.wait(lock,
-                   [&] { return stopping_ || spent() != workers_.end(); });
-    const auto worker = spent();
-    if (worker == workers_.end()) return;
-    worker->is_spent = false;
+    while (!stopping_ && spent_.empty()) spent_changed_.wait(lock);
+    if (spent_.empty()) return;
+    Worker& worker = *spent_.front();
+    spent_.pop_front();
     lock.unlock();
-    worker->thread = {};  // joins
+    worker.thread = {};  // joins
+    bool is_started = true;
     try {
-      Start(*worker);
-      lock.lock();
+      Start(worker);
     } catch (const std::system_error&) {
-      lock.lock();
-      worker->is_spent = true;
-      is_spent_.wait_for(lock, kRetry, [this] { return stopping_; });
-      if (!stopping_) continue;
-      worker->is_spent = false;
-      lock.unlock();
-      Work(*worker);  // what is left
-      lock.lock();
+      is_started = false;
     }
+    lock.lock();
+    if (is_started) continue;
+    spent_changed_.wait_for(
+        lock, kRetry,
+        [this]() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) { return stopping_; });
+    if (!stopping_) {
+      spent_.push_front(&worker);
+      continue;
+    }
+    lock.unlock();
+    Work(worker);  // what is left
+    lock.lock();
   }
 }
 

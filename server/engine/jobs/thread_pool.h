@@ -8,11 +8,11 @@
 #include <condition_variable>
 #include <cstddef>
 #include <deque>
-#include <mutex>
 #include <thread>
 #include <utility>
 
 #include "absl/functional/any_invocable.h"
+#include "server/locks/mutex.h"
 
 namespace geodesic::server {
 
@@ -52,15 +52,8 @@ class ThreadPool final : public Executor {
   void Schedule(Task task, ThreadKind kind) override;
 
  private:
-  // Guarded by mutex_ of the pool.
-  struct Line {
-    std::condition_variable changed;
-    std::deque<Task> tasks;
-  };
-
   struct Worker {
-    Line& line;
-    bool is_spent = false;  // guarded by mutex_ of the pool
+    size_t kind;
     std::jthread thread;
   };
 
@@ -70,10 +63,12 @@ class ThreadPool final : public Executor {
   // has the share of the one that starts it.
   void Replace();
 
-  std::mutex mutex_;
-  std::array<Line, kThreadKinds> lines_;
-  bool stopping_ = false;  // guarded by mutex_
-  std::condition_variable is_spent_;
+  Mutex mutex_;
+  std::array<std::deque<Task>, kThreadKinds> tasks_ ABSL_GUARDED_BY(mutex_);
+  std::deque<Worker*> spent_ ABSL_GUARDED_BY(mutex_);
+  bool stopping_ ABSL_GUARDED_BY(mutex_) = false;
+  std::array<std::condition_variable_any, kThreadKinds> tasks_changed_;
+  std::condition_variable_any spent_changed_;
 
   std::deque<Worker> workers_;
   std::jthread replacer_;
