@@ -557,12 +557,12 @@ void FieldEngine::EraseMesh(const std::string& digest) {
 }
 
 void FieldEngine::Count(uint64_t FieldCounters::*event) {
-  std::lock_guard lock(counters_mutex_);
+  MutexLock lock(counters_mutex_);
   ++(counters_.*event);
 }
 
 FieldCounters FieldEngine::counters() const {
-  std::lock_guard lock(counters_mutex_);
+  MutexLock lock(counters_mutex_);
   return counters_;
 }
 

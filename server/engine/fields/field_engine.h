@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -34,6 +33,7 @@
 #include "server/engine/meshes/mesh_store.h"
 #include "server/engine/meshes/method_store.h"
 #include "server/engine/searches/search_engine.h"
+#include "server/locks/mutex.h"
 
 namespace geodesic::server {
 
@@ -242,8 +242,8 @@ class FieldEngine {
   FieldFiles* files_ = nullptr;        // null: fields are kept in memory alone
   std::optional<FieldWriter> writer_;  // of files_, if there is a disk
 
-  mutable std::mutex counters_mutex_;
-  FieldCounters counters_;  // guarded by counters_mutex_
+  mutable Mutex counters_mutex_;
+  FieldCounters counters_ ABSL_GUARDED_BY(counters_mutex_);
 };
 
 }  // namespace geodesic::server

@@ -257,7 +257,7 @@ void FieldFiles::EraseMesh(const std::string& digest) {
 
 void FieldWriter::Enqueue(const FieldKey& key, const MeshHandle& mesh,
                           const FieldHandle& field) {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   if (waiting_.size() >= kMaxWaiting) return;
   waiting_.push_back({key, mesh, field});
   if (!has_job_) SubmitJob();
@@ -277,7 +277,7 @@ void FieldWriter::SubmitJob() {
 
 void FieldWriter::WriteOne() {
   const Item item = [this] {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     Item first = std::move(waiting_.front());
     waiting_.pop_front();
     return first;
@@ -291,7 +291,7 @@ void FieldWriter::WriteOne() {
     // See FieldEngine::Keep.
     if (!meshes_.Contains(mesh->digest)) files_.EraseMesh(mesh->digest);
   }
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   has_job_ = false;
   if (!waiting_.empty()) SubmitJob();
 }

@@ -9,7 +9,6 @@
 #include <deque>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 
@@ -20,6 +19,7 @@
 #include "server/engine/fields/field_cache.h"
 #include "server/engine/jobs/scheduler.h"
 #include "server/engine/meshes/mesh_library.h"
+#include "server/locks/mutex.h"
 #include "server/store/blob_tiers.h"
 
 namespace geodesic::server {
@@ -96,18 +96,17 @@ class FieldWriter {
     std::weak_ptr<const DistanceField> field;
   };
 
-  // REQUIRES: mutex_ held, waiting_ not empty.
-  void SubmitJob();
+  // REQUIRES: waiting_ is not empty.
+  void SubmitJob() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
   void WriteOne();
 
   FieldFiles& files_;
   Scheduler& scheduler_;
   MeshLibrary& meshes_;
 
-  std::mutex mutex_;
-  // Guarded by mutex_:
-  std::deque<Item> waiting_;
-  bool has_job_ = false;
+  Mutex mutex_;
+  std::deque<Item> waiting_ ABSL_GUARDED_BY(mutex_);
+  bool has_job_ ABSL_GUARDED_BY(mutex_) = false;
 };
 
 }  // namespace geodesic::server

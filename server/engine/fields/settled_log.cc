@@ -11,24 +11,24 @@ constexpr uint64_t kWindowsPerVertex = 4;
 }  // namespace
 
 void SettledLog::Reserve(ByteReservation memory, size_t vertices) {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   memory_ = std::move(memory);
   entries_.reserve(vertices);
 }
 
 void SettledLog::Append(const Progress& progress) {
   const std::vector<SettledVertex> settled = collector_.Collect(progress);
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   entries_.insert(entries_.end(), settled.begin(), settled.end());
 }
 
 size_t SettledLog::size() const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   return entries_.size();
 }
 
 std::vector<SettledVertex> SettledLog::Read(size_t begin, size_t count) const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   const size_t end = std::min(entries_.size(), begin + count);
   return {entries_.begin() + begin, entries_.begin() + end};
 }

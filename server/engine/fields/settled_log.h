@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -15,6 +14,7 @@
 #include "geodesic/settled_vertices.h"
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/jobs/job_checkpoint.h"
+#include "server/locks/mutex.h"
 
 namespace geodesic::server {
 
@@ -45,10 +45,9 @@ class SettledLog {
   const std::shared_ptr<const Mesh> mesh_;
   SettledVertices collector_;  // the writer's
 
-  mutable std::mutex mutex_;
-  // Guarded by mutex_:
-  std::vector<SettledVertex> entries_;
-  ByteReservation memory_;
+  mutable Mutex mutex_;
+  std::vector<SettledVertex> entries_ ABSL_GUARDED_BY(mutex_);
+  ByteReservation memory_ ABSL_GUARDED_BY(mutex_);
 };
 
 // Keeps the log up to date while a solver runs.

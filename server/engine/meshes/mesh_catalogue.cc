@@ -11,7 +11,7 @@ constexpr size_t kMaxFilesPerMesh = 16;
 }  // namespace
 
 std::optional<std::string> MeshCatalogue::FindFile(const FileKey& file) const {
-  std::lock_guard lock(files_mutex_);
+  MutexLock lock(files_mutex_);
   const auto it = digest_of_file_.find(file);
   if (it == digest_of_file_.end()) return std::nullopt;
   return it->second;
@@ -30,7 +30,7 @@ absl::StatusOr<TriangleSoup> MeshCatalogue::Load(const MeshDescription& mesh,
 
 void MeshCatalogue::RememberFile(const FileKey& file,
                                  const std::string& digest) {
-  std::lock_guard lock(files_mutex_);
+  MutexLock lock(files_mutex_);
   if (!digest_of_file_.emplace(file, digest).second) return;
   std::deque<FileKey>& files = files_of_digest_[digest];
   files.push_back(file);
@@ -41,7 +41,7 @@ void MeshCatalogue::RememberFile(const FileKey& file,
 }
 
 void MeshCatalogue::ForgetFiles(const std::string& digest) {
-  std::lock_guard lock(files_mutex_);
+  MutexLock lock(files_mutex_);
   const auto it = files_of_digest_.find(digest);
   if (it == files_of_digest_.end()) return;
   for (const FileKey& file : it->second) digest_of_file_.erase(file);

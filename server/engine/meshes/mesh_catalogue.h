@@ -9,7 +9,6 @@
 #include <deque>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +22,7 @@
 #include "geodesic/mesh_summary.h"
 #include "geodesic/triangle_soup.h"
 #include "geodesic_types/mesh_format.h"
+#include "server/locks/mutex.h"
 
 namespace geodesic::server {
 
@@ -145,10 +145,11 @@ class MeshCatalogue {
   void ForgetFiles(const std::string& digest);
 
  private:
-  mutable std::mutex files_mutex_;
-  // Guarded by files_mutex_; each is the other's inverse:
-  std::map<FileKey, std::string> digest_of_file_;
-  std::map<std::string, std::deque<FileKey>> files_of_digest_;
+  mutable Mutex files_mutex_;
+  // Each is the other's inverse.
+  std::map<FileKey, std::string> digest_of_file_ ABSL_GUARDED_BY(files_mutex_);
+  std::map<std::string, std::deque<FileKey>> files_of_digest_
+      ABSL_GUARDED_BY(files_mutex_);
 };
 
 }  // namespace geodesic::server
