@@ -371,7 +371,7 @@ void Server::Reload() {
 }
 
 bool Server::IsReady() {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   return !draining_;
 }
 
@@ -383,7 +383,7 @@ bool Server::IsAlive() {
 }
 
 void Server::Shutdown(std::chrono::milliseconds grace) {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   if (draining_) {
     hurry_.request_stop();
     return;
@@ -400,8 +400,8 @@ void Server::Shutdown(std::chrono::milliseconds grace) {
 Server::Ending Server::Wait() {
   TimePoint until;
   {
-    std::unique_lock lock(mutex_);
-    shutdown_.wait(lock, [this] { return draining_; });
+    MutexLock lock(mutex_);
+    while (!draining_) shutdown_.wait(lock);
     until = drain_until_;
   }
   const bool in_order = log_.WaitIdle(until, hurry_.get_token());

@@ -11,7 +11,6 @@
 #include <chrono>
 #include <condition_variable>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <stop_token>
 #include <string_view>
@@ -25,6 +24,7 @@
 #include "server/engine/jobs/thread_pool.h"
 #include "server/engine/meshes/shared_meshes.h"
 #include "server/engine/query_engine.h"
+#include "server/locks/mutex.h"
 #include "server/operations/accept_queue.h"
 #include "server/operations/http_server.h"
 #include "server/operations/metrics.h"
@@ -136,11 +136,10 @@ class Server {
 
   std::stop_source hurry_;  // cuts the grace short
 
-  std::mutex mutex_;
-  std::condition_variable shutdown_;
-  // Guarded by mutex_:
-  bool draining_ = false;
-  TimePoint drain_until_;
+  Mutex mutex_;
+  std::condition_variable_any shutdown_;
+  bool draining_ ABSL_GUARDED_BY(mutex_) = false;
+  TimePoint drain_until_ ABSL_GUARDED_BY(mutex_);
 
   // Last, because their threads use the other members.
   std::optional<WebDoor> door_;

@@ -255,7 +255,7 @@ absl::Status AccessControl::Reload() {
         absl::StrCat(token_file_, ": ", std::string(table.status().message())));
   }
   auto fresh = std::make_shared<const TokenTable>(*std::move(table));
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   table_.swap(fresh);
   return absl::OkStatus();
 }
@@ -277,7 +277,7 @@ absl::StatusOr<Caller> AccessControl::Identify(
   }
   std::shared_ptr<const TokenTable> table;
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     table = table_;
   }
   return table->Find(*token, now_());

@@ -14,13 +14,13 @@
 
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "server/locks/mutex.h"
 #include "server/security/caller.h"
 
 namespace geodesic::server {
@@ -76,8 +76,8 @@ class AccessControl {
   const std::string token_file_;
   const WallClock now_;
 
-  mutable std::mutex mutex_;
-  std::shared_ptr<const TokenTable> table_;  // guarded by mutex_
+  mutable Mutex mutex_;
+  std::shared_ptr<const TokenTable> table_ ABSL_GUARDED_BY(mutex_);
 };
 
 // Errors: PERMISSION_DENIED, reason SCOPE_MISSING, naming the scope.

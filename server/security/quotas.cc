@@ -9,6 +9,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "server/engine/base/status_details.h"
+#include "server/locks/mutex.h"
 
 namespace geodesic::server {
 namespace {
@@ -54,14 +55,14 @@ class Quotas::Account {
 
   // Called for every request, because a reload may change quotas.
   void SetQuota(const Quota& quota, TimePoint now) {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     if (requests_.has_value() && quota == quota_) return;
     quota_ = quota;
     requests_.emplace(quota.requests_per_second, quota.burst, now);
   }
 
   absl::Status TakeRequest(TimePoint now) {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     const Duration wait = requests_->Take(now);
     if (wait == Duration::zero()) return absl::OkStatus();
     return WithRetryAfter(
@@ -70,7 +71,7 @@ class Quotas::Account {
   }
 
   absl::Status TakeJob() {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     if (jobs_ >= quota_.jobs) {
       return WithRetryAfter(Exceeded("jobs", quota_.jobs), kRetryDelay);
     }
@@ -79,7 +80,7 @@ class Quotas::Account {
   }
 
   absl::Status TakeBytes(uint64_t bytes) {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     if (bytes > quota_.resident_bytes) {
       return Exceeded("resident_bytes", quota_.resident_bytes);
     }
@@ -93,21 +94,19 @@ class Quotas::Account {
   }
 
   void ReturnJob(uint64_t bytes) {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     --jobs_;
     uploading_ -= bytes;
   }
 
   void AddMemory(const std::shared_ptr<const void>& memory, uint64_t bytes) {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     held_.push_back({memory, bytes});
   }
 
  private:
-  // The rest REQUIRES: mutex_ held.
-
   // Freed memory leaves an expired pointer.
-  uint64_t ResidentBytes() {
+  uint64_t ResidentBytes() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     std::erase_if(held_,
                   [](const Held& held) { return held.memory.expired(); });
     uint64_t bytes = 0;
@@ -129,13 +128,12 @@ class Quotas::Account {
   };
 
   const std::string name_;
-  std::mutex mutex_;
-  // Guarded by mutex_:
-  Quota quota_;
-  std::optional<TokenBucket> requests_;
-  uint64_t jobs_ = 0;
-  uint64_t uploading_ = 0;
-  std::vector<Held> held_;
+  Mutex mutex_;
+  Quota quota_ ABSL_GUARDED_BY(mutex_);
+  std::optional<TokenBucket> requests_ ABSL_GUARDED_BY(mutex_);
+  uint64_t jobs_ ABSL_GUARDED_BY(mutex_) = 0;
+  uint64_t uploading_ ABSL_GUARDED_BY(mutex_) = 0;
+  std::vector<Held> held_ ABSL_GUARDED_BY(mutex_);
 };
 
 Quotas::Job::~Job() {
@@ -173,7 +171,7 @@ std::shared_ptr<Quotas::Account> Quotas::AccountOf(const Caller& caller) {
   if (caller.name.empty() || caller.scopes.Allow(Scope::kAdmin)) return nullptr;
   std::shared_ptr<Account> account;
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     std::shared_ptr<Account>& entry = accounts_[caller.name];
     if (entry == nullptr) entry = std::make_shared<Account>(caller.name);
     account = entry;

@@ -6,13 +6,13 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <utility>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "server/engine/base/clock.h"
+#include "server/locks/mutex.h"
 #include "server/security/caller.h"
 
 namespace geodesic::server {
@@ -64,8 +64,10 @@ class Quotas {
 
   const Clock& clock_;
 
-  std::mutex mutex_;
-  std::map<std::string, std::shared_ptr<Account>> accounts_;  // by name
+  Mutex mutex_;
+  // By name.
+  std::map<std::string, std::shared_ptr<Account>> accounts_
+      ABSL_GUARDED_BY(mutex_);
 };
 
 }  // namespace geodesic::server

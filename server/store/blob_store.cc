@@ -69,15 +69,14 @@ class BlobStore::NameHold {
  public:
   NameHold(BlobStore& store, const std::string& name)
       : store_(store), name_(name) {
-    std::unique_lock lock(store_.names_mutex_);
-    store_.name_is_free_.wait(
-        lock, [this] { return !store_.held_names_.contains(name_); });
+    MutexLock lock(store_.names_mutex_);
+    while (store_.held_names_.contains(name_)) store_.name_is_free_.wait(lock);
     store_.held_names_.insert(name_);
   }
   NameHold(const NameHold&) = delete;
   NameHold& operator=(const NameHold&) = delete;
   ~NameHold() {
-    std::lock_guard lock(store_.names_mutex_);
+    MutexLock lock(store_.names_mutex_);
     store_.held_names_.erase(name_);
     store_.name_is_free_.notify_all();
   }
@@ -155,7 +154,7 @@ absl::Status BlobStore::Scan() {
            std::tie(b.used.tv_sec, b.used.tv_nsec, b.info.name);
   });
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     for (Found& blob : found) Insert(std::move(blob.info));
   }
   // The capacity may have been larger before.
@@ -222,7 +221,7 @@ absl::StatusOr<BlobInfo> BlobStore::ReadInfo(int file, uint64_t size,
 }
 
 std::optional<BlobInfo> BlobStore::Find(const std::string& name) {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   const auto it = entries_.find(name);
   if (it == entries_.end()) return std::nullopt;
   recency_.splice(recency_.end(), recency_, it->second.position);
@@ -232,7 +231,7 @@ std::optional<BlobInfo> BlobStore::Find(const std::string& name) {
 
 std::vector<BlobInfo> BlobStore::List(const std::string& after,
                                       size_t count) const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   std::vector<BlobInfo> page;
   for (auto it = entries_.upper_bound(after);
        it != entries_.end() && page.size() < count; ++it) {
@@ -244,14 +243,14 @@ std::vector<BlobInfo> BlobStore::List(const std::string& after,
 
 void BlobStore::ForEach(
     absl::FunctionRef<void(const std::string&, std::string_view)> visit) const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   for (const auto& [name, entry] : entries_) visit(name, entry.metadata);
 }
 
 absl::Status BlobStore::Admit(uint64_t body_bytes, uint64_t metadata_bytes) {
   const uint64_t bytes = OnDisk(kBlobHeaderBytes + body_bytes + metadata_bytes);
   if (bytes <= options_.capacity) return absl::OkStatus();
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   ++counters_.too_large;
   return absl::ResourceExhaustedError(absl::StrCat(
       bytes, " bytes of disk are needed, more than the ", options_.capacity,
@@ -278,7 +277,7 @@ absl::Status BlobStore::Put(
   absl::Status status = Admit(body_bytes, metadata.size());
   if (!status.ok()) return status;
   status = Keep(name, metadata, body_bytes, write);
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   ++counters_.writes;
   if (!status.ok()) ++counters_.write_failures;
   return status;
@@ -300,7 +299,7 @@ absl::Status BlobStore::Keep(
     status = Publish(*temporary, std::move(info), is_reserved);
   }
   if (is_reserved) {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     reserved_bytes_ -= bytes;
     --reserved_count_;
   }
@@ -308,11 +307,11 @@ absl::Status BlobStore::Keep(
 }
 
 absl::Status BlobStore::MakeRoom(uint64_t bytes, size_t count) {
-  std::lock_guard room_lock(room_mutex_);
+  MutexLock room_lock(room_mutex_);
   for (bool is_first = true;; is_first = false) {
     std::string victim;
     {
-      std::lock_guard lock(mutex_);
+      MutexLock lock(mutex_);
       if (HasRoom(entry_bytes_ + bytes, entries_.size() + count)) {
         reserved_bytes_ += bytes;
         reserved_count_ += count;
@@ -332,7 +331,7 @@ absl::Status BlobStore::MakeRoom(uint64_t bytes, size_t count) {
     if (!status.ok() && !absl::IsNotFound(status)) return status;
     if (!status.ok()) continue;
     {
-      std::lock_guard lock(mutex_);
+      MutexLock lock(mutex_);
       ++counters_.evictions;
     }
     if (options_.removed) options_.removed(victim);
@@ -365,7 +364,7 @@ absl::Status BlobStore::Publish(const std::string& temporary, BlobInfo info,
     return FolderError(error, "name", PathOf(info.name));
   }
   absl::Status status = Flush(PathOf(info.name));
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   const auto old = entries_.find(info.name);
   if (!status.ok() && old == entries_.end()) {
     // It may not survive a crash, so it is removed and Put fails.
@@ -422,7 +421,7 @@ absl::Status BlobStore::Read(const std::string& name, TakeBlob take) {
                      absl::IsResourceExhausted(taken);
         return taken;
       });
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   ++counters_.reads;
   if (!status.ok() && !is_refused) ++counters_.read_failures;
   return status;
@@ -470,7 +469,7 @@ absl::Status BlobStore::Look(const std::string& name) {
   if (!is_there && errno != ENOENT) {
     return DiskError(errno, "examine", PathOf(name));
   }
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   const auto it = entries_.find(name);
   if (it != entries_.end() && is_there &&
       it->second.file_bytes == static_cast<uint64_t>(facts.st_size)) {
@@ -495,7 +494,7 @@ void BlobStore::SetAside(const std::string& name, ino_t inode,
                       aside.ok() ? "moved to quarantine/" + *aside
                                  : std::string(aside.status().message()),
                       "; it is not served"));
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     ++counters_.damaged;
     if (const auto it = entries_.find(name); it != entries_.end()) Remove(it);
   }
@@ -505,7 +504,7 @@ void BlobStore::SetAside(const std::string& name, ino_t inode,
 absl::Status BlobStore::Erase(const std::string& name) {
   const NameHold hold(*this, name);
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     if (!entries_.contains(name)) {
       return absl::NotFoundError(absl::StrCat("there is no ", PathOf(name)));
     }
@@ -515,7 +514,7 @@ absl::Status BlobStore::Erase(const std::string& name) {
     return DiskError(errno, "remove", PathOf(name));
   }
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     if (const auto it = entries_.find(name); it != entries_.end()) Remove(it);
   }
   return Flush(PathOf(name));
@@ -540,17 +539,17 @@ void BlobStore::Remove(Entries::iterator it) {
 }
 
 size_t BlobStore::size() const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   return entries_.size();
 }
 
 BlobCounters BlobStore::counters() const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   return counters_;
 }
 
 uint64_t BlobStore::used_bytes() const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   return entry_bytes_ + reserved_bytes_;
 }
 

@@ -35,7 +35,6 @@
 #include <list>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <set>
 #include <span>
@@ -47,6 +46,7 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "digest/sha256.h"
+#include "server/locks/mutex.h"
 #include "server/store/blob_format.h"
 #include "server/store/blobs.h"
 #include "server/store/data_folder.h"
@@ -212,35 +212,36 @@ class BlobStore final : public Blobs {
   // Moves a damaged file to quarantine if it still is the one with `inode`.
   void SetAside(const std::string& name, ino_t inode, const absl::Status& why);
 
-  // These REQUIRE mutex_ held:
   // Whether so much fits beside what is being written.
-  bool HasRoom(uint64_t bytes, size_t count) const;
-  void Insert(BlobInfo info);
-  void Remove(Entries::iterator it);
+  bool HasRoom(uint64_t bytes, size_t count) const
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
+  void Insert(BlobInfo info) ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
+  void Remove(Entries::iterator it) ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
 
   Options options_;  // constant after Open
   const FileDescriptor folder_;
   Quarantine& quarantine_;
 
-  // Held while room is made, so no two writers count on the same bytes. Taken
-  // before the other mutexes.
-  std::mutex room_mutex_;
+  // Held while room is made, so no two writers count on the same bytes.
+  Mutex room_mutex_ ABSL_ACQUIRED_BEFORE(names_mutex_, mutex_);
 
   SharedFlush flush_;  // of the folder
   std::atomic<uint64_t> next_temporary_ = 0;
 
-  std::mutex names_mutex_;
-  std::condition_variable name_is_free_;
-  std::set<std::string> held_names_;  // guarded by names_mutex_; see NameHold
+  Mutex names_mutex_ ABSL_ACQUIRED_BEFORE(mutex_);
+  std::condition_variable_any name_is_free_;
+  // See NameHold.
+  std::set<std::string> held_names_ ABSL_GUARDED_BY(names_mutex_);
 
-  mutable std::mutex mutex_;
-  // Guarded by mutex_:
-  Entries entries_;
-  std::list<const std::string*> recency_;  // keys of entries_, oldest first
-  uint64_t entry_bytes_ = 0;               // of entries_
-  uint64_t reserved_bytes_ = 0;            // of what is being written
-  size_t reserved_count_ = 0;              // likewise
-  BlobCounters counters_;
+  mutable Mutex mutex_;
+  Entries entries_ ABSL_GUARDED_BY(mutex_);
+  // Keys of entries_, oldest first.
+  std::list<const std::string*> recency_ ABSL_GUARDED_BY(mutex_);
+  uint64_t entry_bytes_ ABSL_GUARDED_BY(mutex_) = 0;  // of entries_
+  // Of what is being written.
+  uint64_t reserved_bytes_ ABSL_GUARDED_BY(mutex_) = 0;
+  size_t reserved_count_ ABSL_GUARDED_BY(mutex_) = 0;
+  BlobCounters counters_ ABSL_GUARDED_BY(mutex_);
 };
 
 }  // namespace geodesic::server

@@ -44,7 +44,7 @@ absl::StatusOr<std::unique_ptr<Quarantine>> Quarantine::Open(int parent) {
 
 absl::StatusOr<std::string> Quarantine::Take(int folder,
                                              const std::string& file) {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   // Done before the new one comes, which may look oldest if the clock was set.
   if (const Contents contents = Count(); contents.files >= kMaxFiles) {
     unlinkat(folder_.get(), contents.oldest.c_str(), 0);

@@ -6,11 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <utility>
 
 #include "absl/status/statusor.h"
+#include "server/locks/mutex.h"
 #include "server/store/posix_file.h"
 
 namespace geodesic::server {
@@ -41,7 +41,7 @@ class Quarantine {
   explicit Quarantine(FileDescriptor folder) : folder_(std::move(folder)) {}
 
   const FileDescriptor folder_;
-  std::mutex mutex_;  // held while files come and go
+  Mutex mutex_;  // held while files come and go
 };
 
 // Holds the folder's locks; the kernel releases them when the process dies.

@@ -5,11 +5,11 @@
 
 #include <condition_variable>
 #include <memory>
-#include <mutex>
 #include <utility>
 
 #include "absl/functional/function_ref.h"
 #include "absl/status/status.h"
+#include "server/locks/mutex.h"
 
 namespace geodesic::server {
 
@@ -20,10 +20,10 @@ class SharedFlush {
   // which is the same for all: those who come while one runs share the next.
   // Errors: that flush's.
   absl::Status Run(absl::FunctionRef<absl::Status()> flush) {
-    std::unique_lock lock(mutex_);
+    MutexLock lock(mutex_);
     if (next_ == nullptr) next_ = std::make_shared<Turn>();
     const std::shared_ptr<Turn> turn = next_;
-    ended_.wait(lock, [&] { return turn->has_ended || !is_running_; });
+    while (!turn->has_ended && is_running_) ended_.wait(lock);
     if (turn->has_ended) return turn->status;
     next_ = nullptr;
     is_running_ = true;
@@ -43,11 +43,11 @@ class SharedFlush {
     absl::Status status;
   };
 
-  std::mutex mutex_;
-  std::condition_variable ended_;
-  // Guarded by mutex_:
-  bool is_running_ = false;
-  std::shared_ptr<Turn> next_;  // of those who wait; null: nobody does
+  Mutex mutex_;
+  std::condition_variable_any ended_;
+  bool is_running_ ABSL_GUARDED_BY(mutex_) = false;
+  // Of those who wait; null: nobody does.
+  std::shared_ptr<Turn> next_ ABSL_GUARDED_BY(mutex_);
 };
 
 }  // namespace geodesic::server

@@ -213,7 +213,7 @@ absl::Status RedisBlobs::ReadOn(RedisConnection& connection,
 }
 
 absl::Status RedisBlobs::Admit(uint64_t body_bytes, uint64_t metadata_bytes) {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   if (metadata_bytes <= kMostMetadataBytes &&
       metadata_bytes + body_bytes <= options_.max_bytes && !is_left_alone_ &&
       steady_clock::now() >= refuses_until_) {
@@ -238,7 +238,7 @@ absl::Status RedisBlobs::Put(const std::string& name, std::string_view metadata,
 }
 
 void RedisBlobs::Enqueue(Task task) {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   if (is_left_alone_) return;
   waiting_bytes_ += task.bytes();
   waiting_.push_back(std::move(task));
@@ -251,7 +251,7 @@ void RedisBlobs::Enqueue(Task task) {
 }
 
 RedisBlobs::Connection RedisBlobs::TakeConnection() {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   if (idle_.empty()) return nullptr;
   Connection connection = std::move(idle_.back());
   idle_.pop_back();
@@ -259,7 +259,7 @@ RedisBlobs::Connection RedisBlobs::TakeConnection() {
 }
 
 void RedisBlobs::GiveBack(Connection connection) {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   failures_ = 0;
   if (is_left_alone_) {
     --open_;
@@ -271,7 +271,7 @@ void RedisBlobs::GiveBack(Connection connection) {
 void RedisBlobs::Failed(const absl::Status& why) {
   bool is_enough = false;
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     ++counters_.failures;
     --open_;
     is_enough = ++failures_ >= kMostFailures;
@@ -284,7 +284,7 @@ void RedisBlobs::LeaveAlone(const absl::Status& why) {
   std::vector<Connection> closed;
   std::deque<Task> dropped;
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     is_left_alone_ = true;
     retry_at_ = steady_clock::now() + kSilence;
     closed.swap(idle_);
@@ -304,7 +304,7 @@ void RedisBlobs::Run(const std::stop_token& stop) {
   while (Await(stop)) {
     std::optional<Task> task;
     {
-      std::lock_guard lock(mutex_);
+      MutexLock lock(mutex_);
       if (is_left_alone_) {
         writer.reset();
       } else if (open_ >= options_.connections && !waiting_.empty()) {
@@ -322,14 +322,14 @@ void RedisBlobs::Run(const std::stop_token& stop) {
 }
 
 bool RedisBlobs::Await(const std::stop_token& stop) {
-  std::unique_lock lock(mutex_);
+  MutexLock lock(mutex_);
   while (!stop.stop_requested()) {
     if (is_left_alone_) {
       if (steady_clock::now() >= retry_at_) return true;
       work_.wait_until(lock, stop, retry_at_, [] { return false; });
     } else {
       if (open_ < options_.connections || !waiting_.empty()) return true;
-      work_.wait(lock, stop, [this] {
+      work_.wait(lock, stop, [this]() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
         return is_left_alone_ || open_ < options_.connections ||
                !waiting_.empty();
       });
@@ -348,7 +348,7 @@ void RedisBlobs::Connect(const std::stop_token& stop) {
   }
   bool was_left_alone = false;
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     if (std::exchange(is_left_alone_, false)) failures_ = 0;
     was_left_alone = std::exchange(has_told_, false);
     idle_.push_back(*std::move(connection));
@@ -408,7 +408,7 @@ void RedisBlobs::Do(const Task& task, Connection& writer,
   }
   if (is_refused) {
     // It is full, perhaps: what else waits would be sent for nothing.
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     refuses_until_ = steady_clock::now() + kSilence;
     for (const Task& other : waiting_) counters_.dropped += other.has_value;
     waiting_.clear();
@@ -420,22 +420,22 @@ void RedisBlobs::Do(const Task& task, Connection& writer,
 }
 
 void RedisBlobs::Count(uint64_t RedisCounters::*event, uint64_t times) {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   counters_.*event += times;
 }
 
 RedisCounters RedisBlobs::counters() const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   return counters_;
 }
 
 bool RedisBlobs::is_left_alone() const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   return is_left_alone_;
 }
 
 uint64_t RedisBlobs::waiting_bytes() const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   return waiting_bytes_;
 }
 

@@ -28,7 +28,6 @@
 #include <deque>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -37,6 +36,7 @@
 #include <vector>
 
 #include "absl/status/status.h"
+#include "server/locks/mutex.h"
 #include "server/store/blobs.h"
 #include "server/tier/redis_connection.h"
 
@@ -150,19 +150,19 @@ class RedisBlobs final : public Blobs {
 
   const Options options_;
 
-  mutable std::mutex mutex_;
+  mutable Mutex mutex_;
   std::condition_variable_any work_;
-  // Guarded by mutex_:
-  std::vector<Connection> idle_;
-  size_t open_ = 0;   // idle_ and those in use
-  int failures_ = 0;  // in a row
-  bool is_left_alone_ = true;
-  bool has_told_ = false;  // that it is
-  Time retry_at_;          // while it is left alone
-  Time refuses_until_;     // no values are written before
-  std::deque<Task> waiting_;
-  uint64_t waiting_bytes_ = 0;
-  RedisCounters counters_;
+  std::vector<Connection> idle_ ABSL_GUARDED_BY(mutex_);
+  size_t open_ ABSL_GUARDED_BY(mutex_) = 0;   // idle_ and those in use
+  int failures_ ABSL_GUARDED_BY(mutex_) = 0;  // in a row
+  bool is_left_alone_ ABSL_GUARDED_BY(mutex_) = true;
+  bool has_told_ ABSL_GUARDED_BY(mutex_) = false;  // that it is
+  Time retry_at_ ABSL_GUARDED_BY(mutex_);          // while it is left alone
+  // No values are written before.
+  Time refuses_until_ ABSL_GUARDED_BY(mutex_);
+  std::deque<Task> waiting_ ABSL_GUARDED_BY(mutex_);
+  uint64_t waiting_bytes_ ABSL_GUARDED_BY(mutex_) = 0;
+  RedisCounters counters_ ABSL_GUARDED_BY(mutex_);
 
   std::jthread thread_;  // last, since it uses the others
 };

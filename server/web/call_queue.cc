@@ -9,8 +9,8 @@ CallQueue::CallQueue(std::shared_ptr<grpc::Channel> channel)
 
 CallQueue::~CallQueue() {
   {
-    std::unique_lock lock(mutex_);
-    left_.wait(lock, [this] { return calls_ == 0; });
+    MutexLock lock(mutex_);
+    while (calls_ > 0) left_.wait(lock);
   }
   queue_.Shutdown();
 }
@@ -18,14 +18,14 @@ CallQueue::~CallQueue() {
 std::unique_ptr<grpc::GenericClientAsyncReaderWriter> CallQueue::Enter(
     grpc::ClientContext& context, const std::string& method) {
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     ++calls_;
   }
   return stub_.PrepareCall(&context, method, &queue_);
 }
 
 void CallQueue::Leave() {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   --calls_;
   // Under the lock: a waiter may destroy the queue as soon as it wakes.
   left_.notify_all();

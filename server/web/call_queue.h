@@ -16,9 +16,10 @@
 #include <condition_variable>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <thread>
+
+#include "server/locks/mutex.h"
 
 namespace geodesic::server {
 
@@ -47,9 +48,9 @@ class CallQueue {
   grpc::GenericStub stub_;
   grpc::CompletionQueue queue_;
 
-  std::mutex mutex_;
-  std::condition_variable left_;
-  int calls_ = 0;  // guarded by mutex_
+  Mutex mutex_;
+  std::condition_variable_any left_;
+  int calls_ ABSL_GUARDED_BY(mutex_) = 0;
 
   std::jthread thread_;
 };

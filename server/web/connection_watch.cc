@@ -43,7 +43,7 @@ ConnectionWatch::~ConnectionWatch() {
 }
 
 uint64_t ConnectionWatch::Open(int socket) {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   const uint64_t number = next_++;
   connections_.emplace(number, Connection{.socket = socket,
                                           .until = Clock::now() + patience_,
@@ -56,14 +56,14 @@ uint64_t ConnectionWatch::Open(int socket) {
 }
 
 void ConnectionWatch::Close(uint64_t connection) {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   const auto it = connections_.find(connection);
   epoll_ctl(epoll_, EPOLL_CTL_DEL, it->second.socket, nullptr);
   connections_.erase(it);
 }
 
 void ConnectionWatch::Expect(uint64_t connection) {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   Connection& expected = connections_.at(connection);
   expected.until =
       Clock::now() +
@@ -71,14 +71,14 @@ void ConnectionWatch::Expect(uint64_t connection) {
 }
 
 void ConnectionWatch::Rest(uint64_t connection) {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   connections_.at(connection).until = Clock::time_point::max();
 }
 
 void ConnectionWatch::Attach(uint64_t connection,
                              const std::shared_ptr<WebCall>& call) {
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     Connection& attached = connections_.at(connection);
     attached.call = call;
     if (!attached.is_gone && !is_closing_) return;
@@ -87,14 +87,14 @@ void ConnectionWatch::Attach(uint64_t connection,
 }
 
 void ConnectionWatch::Detach(uint64_t connection) {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   connections_.at(connection).call.reset();
 }
 
 void ConnectionWatch::LeaveAll() {
   std::vector<std::shared_ptr<WebCall>> calls;
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     is_closing_ = true;
     for (const auto& [number, connection] : connections_) {
       if (auto call = connection.call.lock()) calls.push_back(std::move(call));
@@ -115,7 +115,7 @@ void ConnectionWatch::Run(const std::stop_token& stop) {
 }
 
 void ConnectionWatch::ShutLate() {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   const Clock::time_point now = Clock::now();
   for (auto& [number, connection] : connections_) {
     if (connection.until > now) continue;
@@ -127,7 +127,7 @@ void ConnectionWatch::ShutLate() {
 void ConnectionWatch::Gone(uint64_t connection) {
   std::shared_ptr<WebCall> call;
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     const auto it = connections_.find(connection);
     if (it == connections_.end()) return;
     Connection& gone = it->second;

@@ -9,10 +9,10 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <stop_token>
 #include <thread>
 
+#include "server/locks/mutex.h"
 #include "server/web/web_call.h"
 
 namespace geodesic::server {
@@ -61,11 +61,10 @@ class ConnectionWatch {
   const int epoll_;
   const int wake_;  // ends Run
 
-  std::mutex mutex_;
-  // Guarded by mutex_:
-  uint64_t next_ = 1;
-  bool is_closing_ = false;
-  std::map<uint64_t, Connection> connections_;
+  Mutex mutex_;
+  uint64_t next_ ABSL_GUARDED_BY(mutex_) = 1;
+  bool is_closing_ ABSL_GUARDED_BY(mutex_) = false;
+  std::map<uint64_t, Connection> connections_ ABSL_GUARDED_BY(mutex_);
 
   std::jthread thread_;
 };

@@ -28,7 +28,7 @@ WebCall::~WebCall() {
 }
 
 void WebCall::Start(const std::string& method) {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   self_ = shared_from_this();
   streams_requests_ = StreamsRequests(method);
   stream_ = door_.queue.Enter(context_, method);
@@ -44,7 +44,7 @@ size_t WebCall::Receive(std::string_view body) {
 bool WebCall::Take(std::string_view body, size_t& taken) {
   for (bool goes_on = true; goes_on;) {
     if (!MakeRoom()) return false;
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     // An answer cannot begin before the request has ended, and a browser would
     // take an end in between for a broken connection.
     if (is_closed_ || failure_) {
@@ -71,7 +71,7 @@ bool WebCall::Take(std::string_view body, size_t& taken) {
 
 bool WebCall::MakeRoom() {
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     if (!reader_.wants_room() || is_closed_ || failure_) return true;
     const bool needs_slot = reader_.message_bytes() > kSmallMessage;
     if (!needs_slot || has_slot_) {
@@ -92,7 +92,7 @@ bool WebCall::MakeRoom() {
 
 void WebCall::OnSlot() {
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     waits_for_slot_ = false;
     has_slot_ = true;
     Wake();
@@ -102,7 +102,7 @@ void WebCall::OnSlot() {
 
 void WebCall::OnBrokenOff() {
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     // What is whole goes its way.
     if (!is_writing_ && !reader_.has_message()) Fail(BrokenOffError());
     Wake();
@@ -112,7 +112,7 @@ void WebCall::OnBrokenOff() {
 
 void WebCall::ReturnSlot() {
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     const bool is_receiving = reader_.wants_room() || reader_.has_room();
     const bool has_ended = is_closed_ || failure_ || has_left_;
     if (!has_slot_ || is_writing_ || (is_receiving && !has_ended)) return;
@@ -124,7 +124,7 @@ void WebCall::ReturnSlot() {
 
 bool WebCall::EndBody() {
   if (size_t none = 0; !Take({}, none)) return false;
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   if (body_ended_) return true;
   body_ended_ = true;
   if (!reader_.has_message() && !is_closed_ && !failure_) {
@@ -136,20 +136,20 @@ bool WebCall::EndBody() {
 }
 
 bool WebCall::CanAnswer() {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   if (has_metadata_ || is_finished_) return true;
   Suspend();
   return false;
 }
 
 HttpHeaders WebCall::Headers() const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   return has_metadata_ ? ToHeaders(context_.GetServerInitialMetadata())
                        : HttpHeaders();
 }
 
 ssize_t WebCall::Read(char* out, size_t room) {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   if (has_left_) return MHD_CONTENT_READER_END_WITH_ERROR;
   if (!outgoing_.empty() || Refill()) {
     return static_cast<ssize_t>(CopyOut(out, room));
@@ -213,7 +213,7 @@ size_t WebCall::CopyOut(char* out, size_t room) {
 void WebCall::Leave() {
   const auto self = shared_from_this();
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     if (has_left_) return;
     has_left_ = true;
     if (!is_finished_) context_.TryCancel();
@@ -225,18 +225,18 @@ void WebCall::Leave() {
 }
 
 bool WebCall::has_left() const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   return has_left_;
 }
 
 uint64_t WebCall::messages() const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   return messages_;
 }
 
 void WebCall::OnStarted(bool ok) {
   const auto self = shared_from_this();
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   is_writing_ = false;
   is_reading_ = false;
   if (ok && !has_left_ && !failure_) {
@@ -252,7 +252,7 @@ void WebCall::OnStarted(bool ok) {
 void WebCall::OnRead(bool ok) {
   const auto self = shared_from_this();
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     is_reading_ = false;
     has_response_ = ok;
     has_metadata_ |= ok;
@@ -267,7 +267,7 @@ void WebCall::OnRead(bool ok) {
 void WebCall::OnWritten(bool ok) {
   const auto self = shared_from_this();
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     is_writing_ = false;
     request_.Clear();
     // If it was not taken, the call has ended, which the read will say.
@@ -280,13 +280,13 @@ void WebCall::OnWritten(bool ok) {
 
 void WebCall::OnWritesEnded(bool) {
   const auto self = shared_from_this();
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   Done();
 }
 
 void WebCall::OnFinished(bool) {
   const auto self = shared_from_this();
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   is_finished_ = true;
   // gRPC 1.51 keeps both ends of a call in a process (26 KB) as long as the
   // channel lives if the server's status comes before the end of the request.

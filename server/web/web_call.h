@@ -20,13 +20,13 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "absl/status/status.h"
+#include "server/locks/mutex.h"
 #include "server/rpc/calls/intake.h"
 #include "server/web/call_queue.h"
 #include "server/web/grpc_web.h"
@@ -106,14 +106,14 @@ class WebCall final : public Receiver,
 
  private:
   // Cuts `body` into messages and hands them on. Whether there was room for all
-  // of it; `taken` is what there was room for. Without the lock.
-  bool Take(std::string_view body, size_t& taken);
+  // of it; `taken` is what there was room for.
+  bool Take(std::string_view body, size_t& taken) ABSL_LOCKS_EXCLUDED(mutex_);
 
   // Whether the message whose length has come may be received now; if not, it
-  // waits for a slot. Without the lock.
-  bool MakeRoom();
-  // Gives the slot back once no message is held. Without the lock.
-  void ReturnSlot();
+  // waits for a slot.
+  bool MakeRoom() ABSL_LOCKS_EXCLUDED(mutex_);
+  // Gives the slot back once no message is held.
+  void ReturnSlot() ABSL_LOCKS_EXCLUDED(mutex_);
 
   // What gRPC has done.
   void OnStarted(bool ok);
@@ -122,27 +122,26 @@ class WebCall final : public Receiver,
   void OnWritesEnded(bool ok);
   void OnFinished(bool ok);
 
-  // The rest REQUIRES: mutex_ held.
-
   // Counts an operation that is handed to gRPC, and one that is done. The last
   // one lets go of self_, so whoever calls Done holds another reference.
-  CallQueue::Event* Begin(CallQueue::Event& event);
-  void Done();
+  CallQueue::Event* Begin(CallQueue::Event& event)
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
+  void Done() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
 
-  void Suspend();
-  void Wake();
+  void Suspend() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
+  void Wake() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
   // Hands on what came of the request, or drops it once an answer has come.
-  void Forward();
+  void Forward() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
   // Asks for the call's status. No other operation is begun after this.
-  void Close();
-  void ReadNext();
-  void Fail(const absl::Status& status);
+  void Close() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
+  void ReadNext() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
+  void Fail(const absl::Status& status) ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
   // Moves the message that came, or the trailers, to outgoing_. False if there
   // is nothing to send yet.
-  bool Refill();
+  bool Refill() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
   // What follows the status, in the same form whoever found the failure.
-  HttpHeaders Trailers() const;
-  size_t CopyOut(char* out, size_t room);
+  HttpHeaders Trailers() const ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
+  size_t CopyOut(char* out, size_t room) ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
 
   const Context& door_;
   MHD_Connection& connection_;
@@ -156,35 +155,37 @@ class WebCall final : public Receiver,
   CallQueue::Event writes_ended_{[this](bool ok) { OnWritesEnded(ok); }};
   CallQueue::Event finished_{[this](bool ok) { OnFinished(ok); }};
 
-  mutable std::mutex mutex_;
-  // Guarded by mutex_:
-  std::shared_ptr<WebCall> self_;  // until gRPC is done
-  std::unique_ptr<grpc::GenericClientAsyncReaderWriter> stream_;
-  int under_way_ = 0;  // operations at gRPC
-  bool is_suspended_ = false;
-  bool has_left_ = false;
-  bool is_closed_ = false;
+  mutable Mutex mutex_;
+  // Until gRPC is done.
+  std::shared_ptr<WebCall> self_ ABSL_GUARDED_BY(mutex_);
+  std::unique_ptr<grpc::GenericClientAsyncReaderWriter> stream_
+      ABSL_GUARDED_BY(mutex_);
+  int under_way_ ABSL_GUARDED_BY(mutex_) = 0;  // operations at gRPC
+  bool is_suspended_ ABSL_GUARDED_BY(mutex_) = false;
+  bool has_left_ ABSL_GUARDED_BY(mutex_) = false;
+  bool is_closed_ ABSL_GUARDED_BY(mutex_) = false;
 
-  FrameReader reader_;
-  uint64_t messages_ = 0;
-  bool waits_for_slot_ = false;
-  bool has_slot_ = false;
-  grpc::ByteBuffer request_;  // while it is written
-  bool is_writing_ = true;    // or not started yet
-  bool body_ended_ = false;
-  bool streams_requests_ = false;
-  bool ended_writes_ = false;
+  FrameReader reader_ ABSL_GUARDED_BY(mutex_);
+  uint64_t messages_ ABSL_GUARDED_BY(mutex_) = 0;
+  bool waits_for_slot_ ABSL_GUARDED_BY(mutex_) = false;
+  bool has_slot_ ABSL_GUARDED_BY(mutex_) = false;
+  grpc::ByteBuffer request_ ABSL_GUARDED_BY(mutex_);  // while it is written
+  bool is_writing_ ABSL_GUARDED_BY(mutex_) = true;    // or not started yet
+  bool body_ended_ ABSL_GUARDED_BY(mutex_) = false;
+  bool streams_requests_ ABSL_GUARDED_BY(mutex_) = false;
+  bool ended_writes_ ABSL_GUARDED_BY(mutex_) = false;
 
-  grpc::ByteBuffer response_;
-  bool is_reading_ = true;
-  bool has_response_ = false;
-  bool has_metadata_ = false;
-  std::deque<grpc::Slice> outgoing_;
-  size_t sent_ = 0;  // of the first of them
-  bool trailers_sent_ = false;
-  std::optional<grpc::Status> failure_;  // found here, not by the server
-  grpc::Status status_;                  // the server's
-  bool is_finished_ = false;             // it has come
+  grpc::ByteBuffer response_ ABSL_GUARDED_BY(mutex_);
+  bool is_reading_ ABSL_GUARDED_BY(mutex_) = true;
+  bool has_response_ ABSL_GUARDED_BY(mutex_) = false;
+  bool has_metadata_ ABSL_GUARDED_BY(mutex_) = false;
+  std::deque<grpc::Slice> outgoing_ ABSL_GUARDED_BY(mutex_);
+  size_t sent_ ABSL_GUARDED_BY(mutex_) = 0;  // of the first of them
+  bool trailers_sent_ ABSL_GUARDED_BY(mutex_) = false;
+  // Found here, not by the server.
+  std::optional<grpc::Status> failure_ ABSL_GUARDED_BY(mutex_);
+  grpc::Status status_ ABSL_GUARDED_BY(mutex_);       // the server's
+  bool is_finished_ ABSL_GUARDED_BY(mutex_) = false;  // it has come
 };
 
 }  // namespace geodesic::server
