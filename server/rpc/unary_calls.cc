@@ -69,7 +69,12 @@ absl::Status DeleteMeshCall::Ask() {
                                    v1::DeleteMeshResponse())
                              : status);
   };
-  return engine().meshes().Delete(request().digest(), answer, entry().client());
+  std::string client;
+  {
+    MutexLock lock(mutex_);
+    client = entry().client();
+  }
+  return engine().meshes().Delete(request().digest(), answer, client);
 }
 
 v1::GetCapabilitiesResponse MakeCapabilities(const Limits& limits,

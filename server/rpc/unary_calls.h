@@ -27,23 +27,28 @@ class UnaryCall : public OneRequestCall<Request, Response> {
   using OneRequestCall<Request, Response>::OneRequestCall;
 
  protected:
+  using OneRequestCall<Request, Response>::mutex_;
+
   // Call at most once, and not if Ask fails.
   void Answer(absl::StatusOr<Response> response) {
-    this->Update([&] { response_ = std::move(response); });
+    MutexLock lock(mutex_);
+    response_ = std::move(response);
+    this->Advance();
   }
 
  private:
   // A unary call does not count against the bound on streams.
   absl::Status Admit(RequestLog::Entry& entry) final { return entry.Admit(); }
 
-  absl::StatusOr<NextMessage> Fill(Response& message) final {
+  absl::StatusOr<NextMessage> Fill(Response& message) final
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     if (!response_.has_value()) return NextMessage::kWait;
     if (!response_->ok()) return response_->status();
     message = **std::move(response_);
     return NextMessage::kSendLast;
   }
 
-  std::optional<absl::StatusOr<Response>> response_;
+  std::optional<absl::StatusOr<Response>> response_ ABSL_GUARDED_BY(mutex_);
 };
 
 // Answers that need no job. Errors: as QueryEngine.

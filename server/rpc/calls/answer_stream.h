@@ -15,7 +15,6 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -54,7 +53,7 @@ class AnswerStream : public OneRequestCall<RequestType, v1::Answer> {
   void OnDone() final {
     std::optional<grpc::Alarm> watch;
     {
-      std::lock_guard lock(mutex_);
+      MutexLock lock(mutex_);
       // Ended without the lock: that may wait for OnQuiet.
       watch = std::exchange(quiet_watch_, std::nullopt);
     }
@@ -63,6 +62,9 @@ class AnswerStream : public OneRequestCall<RequestType, v1::Answer> {
   }
 
  protected:
+  using Base = OneRequestCall<RequestType, v1::Answer>;
+  using Base::mutex_;
+
   // As Ask. Calls BeginQuestion and, if the engine takes the question,
   // SetHeader and the writer's Announce.
   virtual absl::Status AskEngine() = 0;
@@ -70,19 +72,21 @@ class AnswerStream : public OneRequestCall<RequestType, v1::Answer> {
   // Puts what is ready of the answer's arrays into the message. kSend: that is
   // full; kWait: no more is ready; kSendLast: all was put, and SetCost called.
   // Computes nothing, since it runs on a thread of gRPC. An error ends the
-  // answer when what was put before is sent. Under the stream's lock.
-  virtual absl::StatusOr<NextMessage> FillBlocks() = 0;
+  // answer when what was put before is sent.
+  virtual absl::StatusOr<NextMessage> FillBlocks()
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) = 0;
 
   // Bytes that differ between answers to equal questions whose numbers may
   // differ. Called with the first numbers.
-  virtual std::string Variant() const { return ""; }
+  virtual std::string Variant() const ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
+    return "";
+  }
 
   // Sets what every question has.
   template <typename Question>
   void BeginQuestion(Question& question) {
     question.mesh_digest = this->mesh_digest();
     question.deadline = deadline();
-    question.requester = requester();
     if constexpr (requires { question.method; }) question.method = method_;
     if constexpr (requires { question.query; }) {
       if (const auto* exact = std::get_if<Algorithm>(&algorithm_)) {
@@ -92,11 +96,14 @@ class AnswerStream : public OneRequestCall<RequestType, v1::Answer> {
     } else if constexpr (requires { question.tolerance; }) {
       question.tolerance = tolerance_;
     }
+    MutexLock lock(mutex_);
+    question.requester = requester();
   }
 
   // `algorithm`: the one that runs.
   void SetHeader(const ResidentMesh& mesh, const AlgorithmChoice& algorithm,
-                 v1::AnswerOrigin origin = v1::ANSWER_ORIGIN_COMPUTED) {
+                 v1::AnswerOrigin origin = v1::ANSWER_ORIGIN_COMPUTED)
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     algorithm_ = algorithm;
     header_ = MakeHeader(mesh, algorithm, this->version());
     header_.set_origin(origin);
@@ -105,7 +112,7 @@ class AnswerStream : public OneRequestCall<RequestType, v1::Answer> {
 
   // `certified_error` 0: the answer is exact, or approximate.
   void SetCost(double seconds, uint64_t windows_propagated,
-               double certified_error) {
+               double certified_error) ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     trailer_.set_compute_seconds(seconds);
     trailer_.set_windows_propagated(windows_propagated);
     trailer_.set_relative_tolerance(
@@ -114,32 +121,40 @@ class AnswerStream : public OneRequestCall<RequestType, v1::Answer> {
   }
 
   void SetProgress(const Progress& progress) {
-    this->Update([&] {
-      progress_ = ToProto(progress);
-      has_news_ = true;
-    });
+    MutexLock lock(mutex_);
+    progress_ = ToProto(progress);
+    has_news_ = true;
+    this->Advance();
   }
   // May be called at any time by whoever makes items of the answer.
   void SetNews() {
-    this->Update([&] { has_news_ = true; });
+    MutexLock lock(mutex_);
+    has_news_ = true;
+    this->Advance();
   }
 
   TimePoint deadline() const { return CallDeadline(this->context_); }
-  Requester requester() { return Base::requester(is_batch_); }
+  Requester requester() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
+    return Base::requester(is_batch_);
+  }
   double tolerance() const { return tolerance_; }
   // Of the numbers whose type the request chooses.
   v1::ValueType value_type() const { return value_type_; }
   bool is_resumed() const { return resumption_.has_value(); }
 
-  codec::AnswerWriter& writer() { return *writer_; }
-  v1::AnswerTrailer& trailer() { return trailer_; }
-  // What is sent next while nothing is ready. Under the stream's lock.
-  v1::SolveProgress& progress() { return progress_; }
+  codec::AnswerWriter& writer() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
+    return *writer_;
+  }
+  v1::AnswerTrailer& trailer() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
+    return trailer_;
+  }
+  // What is sent next while nothing is ready.
+  v1::SolveProgress& progress() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
+    return progress_;
+  }
 
  private:
-  using Base = OneRequestCall<RequestType, v1::Answer>;
   using Base::finished_;
-  using Base::mutex_;
 
   absl::Status Ask() final {
     RequestType& request = this->request();
@@ -150,6 +165,7 @@ class AnswerStream : public OneRequestCall<RequestType, v1::Answer> {
     // Whatever these are, the answer is the same.
     request.clear_priority();
     request.clear_resumption();
+    MutexLock lock(mutex_);
     name_.Update(this->version());
     name_.Update(request.SerializeAsString());
     return absl::OkStatus();
@@ -170,9 +186,12 @@ class AnswerStream : public OneRequestCall<RequestType, v1::Answer> {
     if (!choice.ok()) return choice.status();
     algorithm_ = *std::move(choice);
     if (request.has_resumption()) resumption_ = request.resumption();
-    writer_.emplace(
-        std::vector<uint64_t>(request.resumption().received().begin(),
-                              request.resumption().received().end()));
+    {
+      MutexLock lock(mutex_);
+      writer_.emplace(
+          std::vector<uint64_t>(request.resumption().received().begin(),
+                                request.resumption().received().end()));
+    }
     const auto* method = std::get_if<MethodChoice>(&algorithm_);
     return method != nullptr ? FindMethod(*method) : absl::OkStatus();
   }
@@ -201,7 +220,7 @@ class AnswerStream : public OneRequestCall<RequestType, v1::Answer> {
           {.done =
                [self = this->Shared(this),
                 done](const absl::StatusOr<MethodHandle>& prepared) {
-                 if (prepared.ok()) self->SetMethod(*prepared);
+                 if (prepared.ok()) self->method_ = *prepared;
                  done(prepared.status());
                },
            .progress = nullptr},
@@ -212,12 +231,8 @@ class AnswerStream : public OneRequestCall<RequestType, v1::Answer> {
     return true;
   }
 
-  void SetMethod(const MethodHandle& method) {
-    std::lock_guard lock(mutex_);
-    method_ = method;
-  }
-
-  absl::StatusOr<NextMessage> Fill(v1::Answer& message) final {
+  absl::StatusOr<NextMessage> Fill(v1::Answer& message) final
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     message.Clear();
     writer_->Begin(message);
     absl::StatusOr<NextMessage> next =
@@ -252,7 +267,8 @@ class AnswerStream : public OneRequestCall<RequestType, v1::Answer> {
 
   // Of the first message with numbers, or the last one. Errors: NOT_FOUND: the
   // answer to be resumed was another one.
-  absl::Status SetName(v1::Answer& message) {
+  absl::Status SetName(v1::Answer& message)
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     if (std::exchange(is_named_, true)) return absl::OkStatus();
     name_.Update(Variant());
     message.set_answer_id(name_.FinishHex());
@@ -264,8 +280,7 @@ class AnswerStream : public OneRequestCall<RequestType, v1::Answer> {
 
   // A client that hears nothing cannot tell waiting from a broken connection,
   // and gRPC takes its pings for an attack if nothing is sent between them.
-  // REQUIRES: mutex_ held.
-  void WatchQuiet() {
+  void WatchQuiet() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     quiet_watch_.emplace();
     // What was sent last may have been sent just after a watch began.
     quiet_watch_->Set(
@@ -277,35 +292,35 @@ class AnswerStream : public OneRequestCall<RequestType, v1::Answer> {
 
   // Sends the last progress again, or that there is none.
   void OnQuiet(uint64_t sent) {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     if (finished_ || !quiet_watch_.has_value()) return;
     has_news_ |= sent == sent_;
     this->Advance();
     WatchQuiet();
   }
 
-  // Set by Ask, then constant but for the writer:
+  // Set by Ask, then constant:
   v1::ValueType value_type_ = v1::VALUE_TYPE_FLOAT64;
   bool is_batch_ = false;
   AlgorithmChoice algorithm_ = kDefaultAlgorithm;
   double tolerance_ = 0;
   std::optional<v1::Resumption> resumption_;
-  std::optional<codec::AnswerWriter> writer_;
   // Of an approximate question; what Ask and its waits set, one after the
   // other.
   std::optional<MethodHandle> method_;
 
-  // Guarded by the stream's lock:
-  Sha256 name_;
-  bool is_named_ = false;
-  v1::AnswerHeader header_;  // until it is sent
-  bool has_header_ = false;  // sent
-  v1::SolveProgress progress_;
-  bool has_news_ = false;  // progress_ was not sent
-  v1::AnswerTrailer trailer_;
-  absl::Status failure_;  // to be sent
-  uint64_t sent_ = 0;     // messages
-  std::optional<grpc::Alarm> quiet_watch_;
+  std::optional<codec::AnswerWriter> writer_ ABSL_GUARDED_BY(mutex_);
+  Sha256 name_ ABSL_GUARDED_BY(mutex_);
+  bool is_named_ ABSL_GUARDED_BY(mutex_) = false;
+  v1::AnswerHeader header_ ABSL_GUARDED_BY(mutex_);  // until it is sent
+  bool has_header_ ABSL_GUARDED_BY(mutex_) = false;  // sent
+  v1::SolveProgress progress_ ABSL_GUARDED_BY(mutex_);
+  // progress_ was not sent.
+  bool has_news_ ABSL_GUARDED_BY(mutex_) = false;
+  v1::AnswerTrailer trailer_ ABSL_GUARDED_BY(mutex_);
+  absl::Status failure_ ABSL_GUARDED_BY(mutex_);  // to be sent
+  uint64_t sent_ ABSL_GUARDED_BY(mutex_) = 0;     // messages
+  std::optional<grpc::Alarm> quiet_watch_ ABSL_GUARDED_BY(mutex_);
 };
 
 }  // namespace geodesic::server

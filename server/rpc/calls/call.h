@@ -19,7 +19,6 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,6 +30,7 @@
 #include "geodesic/v1/capabilities_service.pb.h"
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/query_engine.h"
+#include "server/locks/mutex.h"
 #include "server/rpc/calls/intake.h"
 #include "server/rpc/calls/peer.h"
 #include "server/rpc/calls/request_log.h"
@@ -86,7 +86,7 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
   // Begins the call. `self` is this; it is held until gRPC is done with it.
   void Launch(std::shared_ptr<Call> self) {
     {
-      std::lock_guard lock(mutex_);
+      MutexLock lock(mutex_);
       self_ = std::move(self);
       if (absl::Status status = Admit(*entry_); !status.ok()) {
         End(std::move(status));
@@ -98,7 +98,7 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
 
   void OnSlot() final {
     {
-      std::lock_guard lock(mutex_);
+      MutexLock lock(mutex_);
       if (!finished_) {
         is_receiving_ = true;
         this->StartRead(&bytes_);
@@ -109,7 +109,7 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
   }
 
   void OnBrokenOff() final {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     if (!is_receiving_) return;
     if (!finished_) {
       End(BrokenOffError());
@@ -121,7 +121,7 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
 
   void OnReadDone(bool ok) final {
     {
-      std::lock_guard lock(mutex_);
+      MutexLock lock(mutex_);
       is_receiving_ = false;
       arrival_.reset();
       ++reads_;
@@ -133,7 +133,7 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
   void OnDone() override {
     std::shared_ptr<Call> self;
     std::optional<grpc::Alarm> watch;
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     entry_.reset();
     bytes_.Clear();
     // The lock is released before these: `self` may be the last reference, and
@@ -148,15 +148,15 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
     return entry.AdmitStream();
   }
 
-  // Called without the lock when a message has come. If not `ok`, none will
-  // come: the client has sent everything or is gone.
-  virtual void OnReceived(bool ok) = 0;
+  // Called when a message has come. If not `ok`, none will come: the client has
+  // sent everything or is gone.
+  virtual void OnReceived(bool ok) ABSL_LOCKS_EXCLUDED(mutex_) = 0;
 
-  // Waits for a message. REQUIRES: mutex_ is not held.
-  void ReceiveNext() {
+  // Waits for a message.
+  void ReceiveNext() ABSL_LOCKS_EXCLUDED(mutex_) {
     std::shared_ptr<Call> self;
     {
-      std::lock_guard lock(mutex_);
+      MutexLock lock(mutex_);
       if (finished_) return;
       self = self_;
       arrival_.emplace();
@@ -182,10 +182,9 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
 
   QueryEngine& engine() { return service_.engine; }
 
-  // The rest REQUIRES: mutex_ held.
-
   // Decodes the message and frees its bytes. Errors: as Intake::Decode.
-  absl::StatusOr<ByteReservation> Decode(google::protobuf::Message& message) {
+  absl::StatusOr<ByteReservation> Decode(google::protobuf::Message& message)
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     absl::StatusOr<ByteReservation> memory =
         service_.intake.Decode(bytes_, message);
     bytes_.Clear();
@@ -193,19 +192,20 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
   }
 
   // Sends a message; OnWriteDone says when gRPC has taken it.
-  void Write(const Response* message) {
+  void Write(const Response* message) ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     AwaitTaking();
     this->StartWrite(message);
   }
 
   // What Write sent is taken.
-  void OnTaken() {
+  void OnTaken() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     entry_->add_write_time(Clock::now() - taking_since_);
     is_taking_ = false;
   }
 
   // Ends the call unless it has ended. If OK, sends this last message first.
-  void End(absl::Status status, const Response* message = nullptr) {
+  void End(absl::Status status, const Response* message = nullptr)
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     if (finished_) return;
     finished_ = true;
     arrival_.reset();
@@ -218,7 +218,7 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
     }
   }
 
-  void EndCancelled() {
+  void EndCancelled() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     const auto deadline = context_.deadline();
     const auto near = (deadline - begin_) / kNearDeadline + kOnTheWay;
     if (deadline - std::chrono::system_clock::now() <= near) {
@@ -232,10 +232,10 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
   const ServiceContext& service_;
   grpc::CallbackServerContext& context_;
 
-  std::mutex mutex_;
-  // Guarded by mutex_:
-  std::optional<RequestLog::Entry> entry_;  // until gRPC is done
-  bool finished_ = false;                   // Finish was called
+  Mutex mutex_;
+  // Until gRPC is done.
+  std::optional<RequestLog::Entry> entry_ ABSL_GUARDED_BY(mutex_);
+  bool finished_ ABSL_GUARDED_BY(mutex_) = false;  // Finish was called
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -245,14 +245,15 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
   }
 
   // From now on something waits to be taken.
-  void AwaitTaking() {
+  void AwaitTaking() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     if (!is_taking_) taking_since_ = Clock::now();
     is_taking_ = true;
     if (!taking_watch_.has_value()) WatchTaking(service_.send_patience);
   }
 
   // One alarm for all messages of a call: most are taken at once.
-  void WatchTaking(Clock::duration patience) {
+  void WatchTaking(Clock::duration patience)
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     taking_watch_.emplace();
     taking_watch_->Set(std::chrono::system_clock::now() + patience,
                        [self = self_](bool has_passed) {
@@ -261,7 +262,7 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
   }
 
   void OnTakingWatch() {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     if (self_ == nullptr) return;
     if (!is_taking_) {
       taking_watch_.reset();
@@ -280,7 +281,7 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
   }
 
   void OnLate(uint64_t read) {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     // The message may have come in the meantime.
     if (reads_ == read) End(LateError(service_.intake.patience()));
   }
@@ -289,15 +290,17 @@ class Call : public grpc::ServerBidiReactor<grpc::ByteBuffer, ResponseType>,
   const std::chrono::system_clock::time_point begin_ =
       std::chrono::system_clock::now();
 
-  // Guarded by mutex_:
-  std::shared_ptr<Call> self_;          // what gRPC holds
-  std::optional<grpc::Alarm> arrival_;  // of the message that is waited for
-  uint64_t reads_ = 0;                  // that are done
-  bool is_taking_ = false;  // something was sent that is not taken yet
-  Clock::time_point taking_since_;
-  std::optional<grpc::Alarm> taking_watch_;
-  bool is_receiving_ = false;  // a read is under way
-  grpc::ByteBuffer bytes_;
+  // What gRPC holds.
+  std::shared_ptr<Call> self_ ABSL_GUARDED_BY(mutex_);
+  // Of the message that is waited for.
+  std::optional<grpc::Alarm> arrival_ ABSL_GUARDED_BY(mutex_);
+  uint64_t reads_ ABSL_GUARDED_BY(mutex_) = 0;  // that are done
+  // Something was sent that is not taken yet.
+  bool is_taking_ ABSL_GUARDED_BY(mutex_) = false;
+  Clock::time_point taking_since_ ABSL_GUARDED_BY(mutex_);
+  std::optional<grpc::Alarm> taking_watch_ ABSL_GUARDED_BY(mutex_);
+  bool is_receiving_ ABSL_GUARDED_BY(mutex_) = false;  // a read is under way
+  grpc::ByteBuffer bytes_ ABSL_GUARDED_BY(mutex_);
 };
 
 }  // namespace geodesic::server

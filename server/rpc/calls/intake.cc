@@ -150,7 +150,7 @@ Intake::Intake(const Options& options)
 void Intake::Enter(std::shared_ptr<Receiver> receiver,
                    const std::string& connection) {
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     connections_[connection].waiting.push_back(std::move(receiver));
   }
   Serve();
@@ -159,7 +159,7 @@ void Intake::Enter(std::shared_ptr<Receiver> receiver,
 void Intake::Leave(const Receiver& receiver) {
   std::shared_ptr<Receiver> gone;  // destroyed without the lock
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     const auto it = std::find_if(held_.begin(), held_.end(),
                                  [&](const Reception& reception) {
                                    return reception.receiver.get() == &receiver;
@@ -189,7 +189,7 @@ std::pair<const std::string, Intake::Connection>* Intake::Neediest() {
 void Intake::Serve() {
   std::vector<std::shared_ptr<Receiver>> served;
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     auto* next = Neediest();
     for (; next != nullptr && free_slots_ > 0; next = Neediest()) {
       auto& [name, connection] = *next;
@@ -216,7 +216,7 @@ void Intake::Watch() {
 void Intake::MakeRoom() {
   std::vector<std::shared_ptr<Receiver>> broken_off;
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     is_watching_ = false;
     const auto* neediest = Neediest();
     if (neediest == nullptr) return;

@@ -23,13 +23,13 @@
 #include <list>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "server/engine/base/byte_budget.h"
+#include "server/locks/mutex.h"
 
 namespace geodesic::server {
 
@@ -94,25 +94,24 @@ class Intake {
     std::deque<std::shared_ptr<Receiver>> waiting;
   };
 
-  // Gives free slots to receivers that wait. Calls them without the lock.
-  void Serve();
+  // Gives free slots to receivers that wait.
+  void Serve() ABSL_LOCKS_EXCLUDED(mutex_);
   // Breaks receptions off for receivers that wait; runs again while some wait.
-  void MakeRoom();
-  // The rest REQUIRES: mutex_ held.
+  void MakeRoom() ABSL_LOCKS_EXCLUDED(mutex_);
   // The waiting connection that has the fewest slots; null if none waits.
-  std::pair<const std::string, Connection>* Neediest();
-  void Watch();
+  std::pair<const std::string, Connection>* Neediest()
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
+  void Watch() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
 
   const std::shared_ptr<ByteBudget> memory_;
   const std::chrono::milliseconds patience_;
 
-  std::mutex mutex_;
-  // Guarded by mutex_:
-  uint64_t free_slots_;
-  std::map<std::string, Connection> connections_;
-  std::list<Reception> held_;  // oldest first
-  std::optional<grpc::Alarm> alarm_;
-  bool is_watching_ = false;
+  Mutex mutex_;
+  uint64_t free_slots_ ABSL_GUARDED_BY(mutex_);
+  std::map<std::string, Connection> connections_ ABSL_GUARDED_BY(mutex_);
+  std::list<Reception> held_ ABSL_GUARDED_BY(mutex_);  // oldest first
+  std::optional<grpc::Alarm> alarm_ ABSL_GUARDED_BY(mutex_);
+  bool is_watching_ ABSL_GUARDED_BY(mutex_) = false;
 };
 
 // An upper bound on the memory that a message of this type takes when it is

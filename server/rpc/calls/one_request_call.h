@@ -13,7 +13,6 @@
 
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -70,7 +69,7 @@ class OneRequestCall : public Call<ResponseType> {
       : Base(service, MethodOf<Request>(), context) {}
 
   void OnWriteDone(bool ok) final {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     writing_ = false;
     this->OnTaken();
     if (!ok) {
@@ -85,7 +84,7 @@ class OneRequestCall : public Call<ResponseType> {
     std::function<void()> leave;
     bool begun = false;
     {
-      std::lock_guard lock(mutex_);
+      MutexLock lock(mutex_);
       cancelled_ = true;
       if (!is_asking_) this->EndCancelled();
       leave = std::exchange(leave_, nullptr);
@@ -98,7 +97,7 @@ class OneRequestCall : public Call<ResponseType> {
 
   void OnDone() override {
     {
-      std::lock_guard lock(mutex_);
+      MutexLock lock(mutex_);
       request_.reset();
       memory_ = {};
     }
@@ -111,34 +110,26 @@ class OneRequestCall : public Call<ResponseType> {
   using Base::mutex_;
   using Base::service_;
 
-  // Asks the engine, which may call back at once. Called without the lock, and
-  // again once the mesh has come from disk if it was not found before. The
-  // request and the context stay valid until it returns, even if the client
-  // goes.
-  virtual absl::Status Ask() = 0;
+  // Asks the engine, which may call back at once. Called again once the mesh
+  // has come from disk if it was not found before. The request and the context
+  // stay valid until it returns, even if the client goes.
+  virtual absl::Status Ask() ABSL_LOCKS_EXCLUDED(mutex_) = 0;
 
   // Called when Ask failed. Whether this call waits, by AskAfter, and then asks
   // again.
   virtual bool AwaitWhatIsMissing(const absl::Status&) { return false; }
 
   // Tells the engine that the caller waits no longer. Called at most once,
-  // after Ask succeeded, without the lock.
-  virtual void Cancel() {}
+  // after Ask succeeded.
+  virtual void Cancel() ABSL_LOCKS_EXCLUDED(mutex_) {}
 
-  // Makes the next message, under the lock. It still has what the last one had.
-  // An error ends the call.
-  virtual absl::StatusOr<NextMessage> Fill(Response& message) = 0;
+  // Makes the next message. It still has what the last one had. An error ends
+  // the call.
+  virtual absl::StatusOr<NextMessage> Fill(Response& message)
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) = 0;
 
-  // Calls `change` on what Fill reads, then sends the messages that are ready.
-  template <typename Change>
-  void Update(Change change) {
-    std::lock_guard lock(mutex_);
-    change();
-    Advance();
-  }
-
-  // Sends the next message if it is ready. REQUIRES: mutex_ held.
-  void Advance() {
+  // Sends the next message if it is ready; call when what Fill reads changes.
+  void Advance() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     if (!begun_ || writing_ || finished_) return;
     absl::StatusOr<NextMessage> next = Fill(message_);
     if (!next.ok()) {
@@ -158,7 +149,7 @@ class OneRequestCall : public Call<ResponseType> {
   void AskAfter(Start start) {
     Requester caller;
     {
-      std::lock_guard lock(mutex_);
+      MutexLock lock(mutex_);
       is_asking_ = false;
       if (cancelled_) {
         this->EndCancelled();
@@ -172,7 +163,7 @@ class OneRequestCall : public Call<ResponseType> {
                 self->OnAwaited(std::move(status));
               });
     {
-      std::lock_guard lock(mutex_);
+      MutexLock lock(mutex_);
       if (!leave.ok()) this->End(leave.status());
       if (!leave.ok() || !*leave) return;
       if (!finished_) {
@@ -183,9 +174,12 @@ class OneRequestCall : public Call<ResponseType> {
     (*leave)();
   }
 
-  RequestLog::Entry& entry() { return *entry_; }
+  RequestLog::Entry& entry() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
+    return *entry_;
+  }
   // The caller, for the engine. Before the call has ended.
-  Requester requester(bool is_batch = false) {
+  Requester requester(bool is_batch = false)
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     return {.client = entry_->client(),
             .is_batch = is_batch,
             .account = entry_->job()};
@@ -200,7 +194,7 @@ class OneRequestCall : public Call<ResponseType> {
 
   void OnReceived(bool ok) final {
     {
-      std::lock_guard lock(mutex_);
+      MutexLock lock(mutex_);
       if (finished_) return;
       if (absl::Status status = Receive(ok); !status.ok()) {
         this->End(std::move(status));
@@ -211,8 +205,8 @@ class OneRequestCall : public Call<ResponseType> {
     GoOn(Ask());
   }
 
-  // `ok`: a message came. Errors: as Intake::Decode. REQUIRES: mutex_ held.
-  absl::Status Receive(bool ok) {
+  // `ok`: a message came. Errors: as Intake::Decode.
+  absl::Status Receive(bool ok) ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     if (!ok) return absl::InvalidArgumentError(kNoMessage);
     request_.emplace();
     absl::StatusOr<ByteReservation> memory = this->Decode(*request_);
@@ -242,7 +236,7 @@ class OneRequestCall : public Call<ResponseType> {
 
   void OnAwaited(absl::Status status) {
     {
-      std::lock_guard lock(mutex_);
+      MutexLock lock(mutex_);
       // After Finish the request may be gone.
       if (finished_) return;
       is_asking_ = true;
@@ -267,7 +261,7 @@ class OneRequestCall : public Call<ResponseType> {
     if (!status.ok() && AwaitWhatIsMissing(status)) return;
     bool cancel = false;
     {
-      std::lock_guard lock(mutex_);
+      MutexLock lock(mutex_);
       is_asking_ = false;
       if (!status.ok()) {
         this->End(std::move(status));
@@ -284,19 +278,22 @@ class OneRequestCall : public Call<ResponseType> {
     if (cancel) Cancel();
   }
 
-  // Guarded by mutex_:
-  std::string mesh_digest_;  // set by Receive, then constant
-  ByteReservation memory_;   // of the request and the question
-  bool is_asking_ = false;   // Ask runs, or is about to
-  bool begun_ = false;       // Ask succeeded
-  bool has_asked_tier_ = false;
-  std::function<void()> leave_;  // ends a wait that AskAfter began
-  bool cancelled_ = false;
-  bool writing_ = false;  // a message is on its way
-  Response message_;
+  // Of the request and the question.
+  ByteReservation memory_ ABSL_GUARDED_BY(mutex_);
+  // Ask runs, or is about to.
+  bool is_asking_ ABSL_GUARDED_BY(mutex_) = false;
+  bool begun_ ABSL_GUARDED_BY(mutex_) = false;  // Ask succeeded
+  // Ends a wait that AskAfter began.
+  std::function<void()> leave_ ABSL_GUARDED_BY(mutex_);
+  bool cancelled_ ABSL_GUARDED_BY(mutex_) = false;
+  bool writing_ ABSL_GUARDED_BY(mutex_) = false;  // a message is on its way
+  Response message_ ABSL_GUARDED_BY(mutex_);
 
-  // Set by Receive; Ask's while it runs:
+  // Set by Receive, then constant:
+  std::string mesh_digest_;
+  // Set by Receive; Ask's, and of what follows it, while they run:
   std::optional<Request> request_;
+  bool has_asked_tier_ = false;
 };
 
 }  // namespace geodesic::server

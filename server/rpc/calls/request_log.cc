@@ -58,18 +58,19 @@ RequestLog::RequestLog(std::shared_ptr<spdlog::logger> logger,
 
 bool RequestLog::WaitIdle(std::chrono::steady_clock::time_point until,
                           std::stop_token stop) {
-  std::unique_lock lock(mutex_);
-  return idle_.wait_until(lock, std::move(stop), until,
-                          [this] { return active_ == 0; });
+  MutexLock lock(mutex_);
+  return idle_.wait_until(
+      lock, std::move(stop), until,
+      [this]() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) { return active_ == 0; });
 }
 
 size_t RequestLog::active() const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   return active_;
 }
 
 Duration RequestLog::IdleTime() const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   if (active_ > 0) return Duration(0);
   return std::chrono::steady_clock::now() - idle_since_;
 }
@@ -83,7 +84,7 @@ RequestLog::Entry::Entry(RequestLog& log, std::string_view method,
       peer_(std::move(peer)),
       request_id_(RequestId(context)),
       trace_parent_(TraceParent(context)) {
-  std::lock_guard lock(log_.mutex_);
+  MutexLock lock(log_.mutex_);
   ++log_.active_;
 }
 
@@ -116,7 +117,7 @@ absl::Status RequestLog::Entry::AdmitStream() {
 
 absl::Status RequestLog::Entry::TakeShare() {
   const std::string client = this->client();
-  std::lock_guard lock(log_.mutex_);
+  MutexLock lock(log_.mutex_);
   if (log_.active_ > log_.max_active_) {
     return TooManyRequests(absl::StrCat("the server has ", log_.max_active_,
                                         " requests in hand and takes no more; "
@@ -170,7 +171,7 @@ RequestLog::Entry::~Entry() {
                    : absl::StrCat(" reason=", ReasonOf(status_), " error=\"",
                                   absl::CHexEscape(status_.message()), "\""));
   // Notifies under the lock: a waiter may destroy the log as soon as it wakes.
-  std::lock_guard lock(log_.mutex_);
+  MutexLock lock(log_.mutex_);
   if (const auto it = log_.streams_.find(counted_as_);
       it != log_.streams_.end() && --it->second == 0) {
     log_.streams_.erase(it);

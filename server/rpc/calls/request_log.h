@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -20,6 +19,7 @@
 
 #include "absl/status/status.h"
 #include "server/engine/base/clock.h"
+#include "server/locks/mutex.h"
 #include "server/operations/metrics.h"
 #include "server/rpc/calls/peer.h"
 #include "server/security/access_control.h"
@@ -122,12 +122,12 @@ class RequestLog {
   Quotas& quotas_;
   Metrics& metrics_;
 
-  mutable std::mutex mutex_;
+  mutable Mutex mutex_;
   std::condition_variable_any idle_;
-  // Guarded by mutex_:
-  size_t active_ = 0;
-  std::map<std::string, size_t> streams_;  // by clients' names
-  std::chrono::steady_clock::time_point idle_since_ =
+  size_t active_ ABSL_GUARDED_BY(mutex_) = 0;
+  // By clients' names.
+  std::map<std::string, size_t> streams_ ABSL_GUARDED_BY(mutex_);
+  std::chrono::steady_clock::time_point idle_since_ ABSL_GUARDED_BY(mutex_) =
       std::chrono::steady_clock::now();
 };
 

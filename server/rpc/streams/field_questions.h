@@ -37,18 +37,24 @@ class FieldQuestion : public AnswerStream<Request>, public FieldObserver {
   }
 
   void OnField(const absl::StatusOr<FieldAnswer>& answer) final {
-    this->Update([&] { answer_ = answer; });
+    MutexLock lock(mutex_);
+    answer_ = answer;
+    this->Advance();
   }
 
  protected:
+  using AnswerStream<Request>::mutex_;
+
   // Adds to `question` what only this stream knows.
   virtual absl::Status Translate(FieldRequest& question) = 0;
   // Announces the arrays. The call is there.
-  virtual void Announce() = 0;
+  virtual void Announce() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) = 0;
   // FillBlocks, of which the answer is there.
-  virtual absl::StatusOr<NextMessage> FillFromField() = 0;
+  virtual absl::StatusOr<NextMessage> FillFromField()
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) = 0;
 
-  absl::StatusOr<NextMessage> FillBlocks() override {
+  absl::StatusOr<NextMessage> FillBlocks() override
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     if (!answer_.has_value()) return NextMessage::kWait;
     if (!answer_->ok()) return answer_->status();
     absl::StatusOr<NextMessage> next = FillFromField();
@@ -72,7 +78,9 @@ class FieldQuestion : public AnswerStream<Request>, public FieldObserver {
   // Constant once AskEngine has succeeded.
   const FieldCall& call() const { return *call_; }
   // For FillFromField.
-  const FieldAnswer& answer() const { return **answer_; }
+  const FieldAnswer& answer() const ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
+    return **answer_;
+  }
 
  private:
   absl::Status AskEngine() final {
@@ -87,6 +95,7 @@ class FieldQuestion : public AnswerStream<Request>, public FieldObserver {
         this->engine().fields().Compute(question, this->Shared(this));
     if (!call.ok()) return call.status();
     call_ = *std::move(call);
+    MutexLock lock(mutex_);
     if (call_->answer.has_value()) answer_ = *std::exchange(call_->answer, {});
     AlgorithmChoice algorithm = call_->query->algorithm;
     if (call_->method.has_value()) algorithm = *call_->method;
@@ -96,8 +105,7 @@ class FieldQuestion : public AnswerStream<Request>, public FieldObserver {
   }
 
   std::optional<FieldCall> call_;
-  // Guarded by the stream's lock:
-  std::optional<absl::StatusOr<FieldAnswer>> answer_;
+  std::optional<absl::StatusOr<FieldAnswer>> answer_ ABSL_GUARDED_BY(mutex_);
 };
 
 class PathStream final : public FieldQuestion<v1::ComputePathsRequest> {
@@ -119,7 +127,7 @@ class PathStream final : public FieldQuestion<v1::ComputePathsRequest> {
     return status;
   }
 
-  void Announce() override {
+  void Announce() override ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     const auto targets = static_cast<int64_t>(call().query->targets.size());
     lines_.emplace(writer(), targets);
     source_ = writer().Announce("source", v1::VALUE_TYPE_UINT32, {targets});
@@ -130,11 +138,15 @@ class PathStream final : public FieldQuestion<v1::ComputePathsRequest> {
   void Cancel() override {
     FieldQuestion::Cancel();
     std::shared_ptr<RowPipeline> rows;
-    Update([&] { rows = std::move(rows_); });
+    {
+      MutexLock lock(mutex_);
+      rows = std::move(rows_);
+    }
     if (rows != nullptr) rows->Cancel();
   }
 
-  absl::StatusOr<NextMessage> FillFromField() override {
+  absl::StatusOr<NextMessage> FillFromField() override
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     for (; lines_->line() < call().query->targets.size(); lines_->Next()) {
       if (path_ == nullptr) {
         absl::StatusOr<const GeodesicPath*> next = TakePath();
@@ -148,18 +160,23 @@ class PathStream final : public FieldQuestion<v1::ComputePathsRequest> {
     return NextMessage::kSendLast;
   }
 
-  bool were_searched() const { return !answer().derived->paths.has_value(); }
+  bool were_searched() const ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
+    return !answer().derived->paths.has_value();
+  }
   // Where paths are of equal length, a search may find another one.
-  std::string Variant() const override { return were_searched() ? "s" : "t"; }
+  std::string Variant() const override ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
+    return were_searched() ? "s" : "t";
+  }
 
   // The next path; null if it is not there yet. Those that were not searched
   // for are traced in jobs, which it starts.
-  absl::StatusOr<const GeodesicPath*> TakePath() {
+  absl::StatusOr<const GeodesicPath*> TakePath()
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     if (were_searched()) return &answer().derived->found_paths[lines_->line()];
     if (rows_ == nullptr) {
       auto rows =
           engine().TracePaths(call(), answer(), deadline(), requester(),
-                              [self = Shared(this)] { self->Update([] {}); });
+                              [self = Shared(this)] { self->OnPath(); });
       if (!rows.ok()) return rows.status();
       rows_ = *std::move(rows);
     }
@@ -173,8 +190,13 @@ class PathStream final : public FieldQuestion<v1::ComputePathsRequest> {
     return &row_.paths[next_in_row_++];
   }
 
+  void OnPath() {
+    MutexLock lock(mutex_);
+    Advance();
+  }
+
   // As AnswerWriter::Put.
-  bool Put(const GeodesicPath& path) {
+  bool Put(const GeodesicPath& path) ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     const uint32_t source =
         path.points.empty() ? kNoSource : call().source_numbers[path.source];
     return lines_->Put(path.points, path.positions) &&
@@ -183,17 +205,17 @@ class PathStream final : public FieldQuestion<v1::ComputePathsRequest> {
            writer().PutOne(length_, lines_->line(), path.length);
   }
 
-  // Set by Announce:
-  std::optional<codec::LineWriter> lines_;
+  std::optional<codec::LineWriter> lines_ ABSL_GUARDED_BY(mutex_);
+  // Arrays, set by Announce:
   uint32_t source_ = 0;
   uint32_t distance_ = 0;
   uint32_t length_ = 0;
 
-  // Guarded by the stream's lock:
-  std::shared_ptr<RowPipeline> rows_;  // unless paths were searched for
-  MatrixRow row_;                      // taken last
-  size_t next_in_row_ = 0;
-  const GeodesicPath* path_ = nullptr;  // being put
+  // Unless paths were searched for.
+  std::shared_ptr<RowPipeline> rows_ ABSL_GUARDED_BY(mutex_);
+  MatrixRow row_ ABSL_GUARDED_BY(mutex_);  // taken last
+  size_t next_in_row_ ABSL_GUARDED_BY(mutex_) = 0;
+  const GeodesicPath* path_ ABSL_GUARDED_BY(mutex_) = nullptr;  // being put
 };
 
 class LogMapStream final : public FieldQuestion<v1::ComputeLogMapRequest> {
@@ -209,14 +231,15 @@ class LogMapStream final : public FieldQuestion<v1::ComputeLogMapRequest> {
     return source.status();
   }
 
-  void Announce() override {
+  void Announce() override ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     zero_direction_ =
         writer().Announce("zero_direction", v1::VALUE_TYPE_FLOAT64, {3});
     coordinates_ = writer().Announce("coordinates", value_type(),
                                      {call().mesh->mesh->vertex_count(), 2});
   }
 
-  absl::StatusOr<NextMessage> FillFromField() override {
+  absl::StatusOr<NextMessage> FillFromField() override
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     const LogMap& map = answer().derived->log_map;
     return writer().Put(zero_direction_, 0, map.zero_direction) &&
                    writer().Put(coordinates_, 0, 2 * map.coordinates.size(),

@@ -39,10 +39,11 @@ class FieldStream final : public FieldQuestion<v1::ComputeFieldRequest> {
     return status;
   }
 
-  void Announce() override {
-    const auto announce = [this](const char* name, v1::ValueType type,
-                                 std::vector<int64_t> shape) {
-      return writer().Announce(name, type, shape);
+  void Announce() override ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
+    codec::AnswerWriter& writer = this->writer();
+    const auto announce = [&writer](const char* name, v1::ValueType type,
+                                    std::vector<int64_t> shape) {
+      return writer.Announce(name, type, shape);
     };
     const int64_t vertices = call().mesh->mesh->vertex_count();
     const auto targets = static_cast<int64_t>(call().query->targets.size());
@@ -66,13 +67,15 @@ class FieldStream final : public FieldQuestion<v1::ComputeFieldRequest> {
     }
   }
 
-  absl::StatusOr<NextMessage> FillBlocks() override {
+  absl::StatusOr<NextMessage> FillBlocks() override
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     // Final vertices are sent even if the rest never comes.
     if (!PutSettled()) return NextMessage::kSend;
     return FieldQuestion::FillBlocks();
   }
 
-  absl::StatusOr<NextMessage> FillFromField() override {
+  absl::StatusOr<NextMessage> FillFromField() override
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     if (!radius_.has_value()) Cut();
     if (!extras_.settled_order && !PutVertices()) return NextMessage::kSend;
     if (!PutTargets()) return NextMessage::kSend;
@@ -87,7 +90,7 @@ class FieldStream final : public FieldQuestion<v1::ComputeFieldRequest> {
     return NextMessage::kSendLast;
   }
 
-  std::string Variant() const override {
+  std::string Variant() const override ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     // A progressive field is not resumed.
     if (!radius_.has_value()) return "";
     // One version of the program gives equal questions equal bits up to the
@@ -99,7 +102,7 @@ class FieldStream final : public FieldQuestion<v1::ComputeFieldRequest> {
   }
 
   // Finds the radius, and whether vertices lie beyond.
-  void Cut() {
+  void Cut() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     radius_ = call().reach.radius;
     // What is settled was sent as it came, and may reach further.
     if (call().reach.LimitsTargets() && !extras_.settled_order) {
@@ -111,15 +114,16 @@ class FieldStream final : public FieldQuestion<v1::ComputeFieldRequest> {
       std::ranges::nth_element(distances, last);
       radius_ = std::min(*radius_, *last);
     }
+    const auto is_beyond = [radius = *radius_](double d) {
+      return d > radius && d < kInfinity;
+    };
     was_cut_ = !std::isinf(*radius_) &&
-               std::ranges::any_of(answer().field->distances, [this](double d) {
-                 return d > *radius_ && d < kInfinity;
-               });
+               std::ranges::any_of(answer().field->distances, is_beyond);
   }
 
   // These return as AnswerWriter::Put.
 
-  bool PutSettled() {
+  bool PutSettled() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     if (call().settled == nullptr) return true;
     for (;;) {
       const std::vector<SettledVertex> settled =
@@ -135,9 +139,10 @@ class FieldStream final : public FieldQuestion<v1::ComputeFieldRequest> {
     }
   }
 
-  bool PutVertices() {
-    const std::vector<double>& all = answer().field->distances;
-    const std::vector<float>& errors = answer().field->certified_errors;
+  bool PutVertices() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
+    const FieldAnswer& answer = this->answer();
+    const std::vector<double>& all = answer.field->distances;
+    const std::vector<float>& errors = answer.field->certified_errors;
     const uint64_t vertices = all.size();
     const double radius = *radius_;
     const bool is_whole =
@@ -149,7 +154,7 @@ class FieldStream final : public FieldQuestion<v1::ComputeFieldRequest> {
     if (!is_whole) return false;
     if (extras_.nearest_sources &&
         !writer().Put(source_, 0, vertices, [&](uint64_t v) {
-          const uint32_t source = answer().derived->nearest_sources[v];
+          const uint32_t source = answer.derived->nearest_sources[v];
           return source == kNoSource || all[v] > radius
                      ? kNoSource
                      : call().source_numbers[source];
@@ -158,7 +163,7 @@ class FieldStream final : public FieldQuestion<v1::ComputeFieldRequest> {
     }
     if (extras_.gradients &&
         !writer().Put(gradient_, 0, 3 * vertices, [&](uint64_t i) {
-          const Point& gradient = answer().derived->gradients[i / 3];
+          const Point& gradient = answer.derived->gradients[i / 3];
           return all[i / 3] > radius ? 0 : gradient[i % 3];
         })) {
       return false;
@@ -169,7 +174,7 @@ class FieldStream final : public FieldQuestion<v1::ComputeFieldRequest> {
            });
   }
 
-  bool PutTargets() {
+  bool PutTargets() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     const uint64_t all = call().query->targets.size();
     while (targets_.next < all) {
       TargetReader targets = targets_;
@@ -196,11 +201,13 @@ class FieldStream final : public FieldQuestion<v1::ComputeFieldRequest> {
   uint32_t error_ = 0;
   uint32_t target_ = 0;
 
-  // Guarded by the stream's lock:
-  uint64_t settled_ = 0;          // entries of the log that were put
-  std::optional<double> radius_;  // beyond which nothing is sent
-  bool was_cut_ = false;          // there is something beyond
-  TargetReader targets_;          // of the targets that are to be put
+  // Entries of the log that were put.
+  uint64_t settled_ ABSL_GUARDED_BY(mutex_) = 0;
+  // Beyond which nothing is sent.
+  std::optional<double> radius_ ABSL_GUARDED_BY(mutex_);
+  bool was_cut_ ABSL_GUARDED_BY(mutex_) = false;  // there is something beyond
+  // Of the targets that are to be put.
+  TargetReader targets_ ABSL_GUARDED_BY(mutex_);
 };
 
 }  // namespace geodesic::server

@@ -36,13 +36,16 @@ class JobQuestion : public AnswerStream<Request> {
   using AnswerStream<Request>::AnswerStream;
 
  protected:
+  using AnswerStream<Request>::mutex_;
+
   // What the job does; it sets `result`. Errors: INVALID_ARGUMENT.
   using Work = decltype(QuestionRequest::work);
   virtual absl::StatusOr<Work> MakeWork(std::shared_ptr<Result> result) = 0;
   // Announces the arrays.
-  virtual void Announce() = 0;
+  virtual void Announce() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) = 0;
   // Whether all was put, as AnswerWriter::Put.
-  virtual bool Put(const Result& result) = 0;
+  virtual bool Put(const Result& result)
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) = 0;
 
  private:
   absl::Status AskEngine() final {
@@ -55,7 +58,9 @@ class JobQuestion : public AnswerStream<Request> {
                                      this->engine().limits(), question.query);
     if (!status.ok()) return status;
     question.done = [self = this->Shared(this)](const JobReport& report) {
-      self->Update([&] { self->report_ = report; });
+      MutexLock lock(self->mutex_);
+      self->report_ = report;
+      self->Advance();
     };
     question.progress = [self = this->Shared(this)](const Progress& progress) {
       self->SetProgress(progress);
@@ -64,6 +69,7 @@ class JobQuestion : public AnswerStream<Request> {
         this->engine().StartQuestion(std::move(question));
     if (!call.ok()) return call.status();
     call_ = *std::move(call);
+    MutexLock lock(mutex_);
     this->SetHeader(*call_.mesh, call_.algorithm);
     Announce();
     return absl::OkStatus();
@@ -71,7 +77,8 @@ class JobQuestion : public AnswerStream<Request> {
 
   void Cancel() final { this->engine().Cancel(call_); }
 
-  absl::StatusOr<NextMessage> FillBlocks() final {
+  absl::StatusOr<NextMessage> FillBlocks() final
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     if (!report_.has_value()) return NextMessage::kWait;
     if (!report_->status.ok()) return report_->status;
     if (!Put(*result_)) return NextMessage::kSend;
@@ -81,10 +88,9 @@ class JobQuestion : public AnswerStream<Request> {
   }
 
   QuestionCall call_;  // set by AskEngine, then constant
-  // The job's until it is done, then guarded by the stream's lock:
+  // The job's until it is done:
   const std::shared_ptr<Result> result_ = std::make_shared<Result>();
-  // Guarded by the stream's lock:
-  std::optional<JobReport> report_;
+  std::optional<JobReport> report_ ABSL_GUARDED_BY(mutex_);
 };
 
 class IsolineStream final
@@ -143,13 +149,14 @@ class IsolineStream final
     return bytes;
   }
 
-  void Announce() override {
+  void Announce() override ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     lines_.emplace(writer(), -1);
     level_ = writer().Announce("level", v1::VALUE_TYPE_FLOAT64, {-1});
     is_closed_ = writer().Announce("is_closed", v1::VALUE_TYPE_UINT8, {-1});
   }
 
-  bool Put(const std::vector<Isoline>& isolines) override {
+  bool Put(const std::vector<Isoline>& isolines) override
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     for (; lines_->line() < isolines.size(); lines_->Next()) {
       const uint64_t line = lines_->line();
       const Isoline& isoline = isolines[line];
@@ -162,8 +169,8 @@ class IsolineStream final
     return true;
   }
 
-  // Set by Announce:
-  std::optional<codec::LineWriter> lines_;
+  std::optional<codec::LineWriter> lines_ ABSL_GUARDED_BY(mutex_);
+  // Arrays, set by Announce:
   uint32_t level_ = 0;
   uint32_t is_closed_ = 0;
 };
@@ -198,12 +205,13 @@ class SampleStream final : public JobQuestion<v1::SampleFarthestPointsRequest,
     };
   }
 
-  void Announce() override {
+  void Announce() override ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     vertex_ = writer().Announce("vertex", v1::VALUE_TYPE_UINT32, {-1});
     distance_ = writer().Announce("distance", value_type(), {-1});
   }
 
-  bool Put(const std::vector<FarthestSample>& samples) override {
+  bool Put(const std::vector<FarthestSample>& samples) override
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     return writer().Put(vertex_, 0, samples.size(), [&](uint64_t i) {
       return samples[i].vertex;
     }) && writer().Put(distance_, 0, samples.size(), [&](uint64_t i) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
-#include <mutex>
 #include <string>
 #include <utility>
 
@@ -107,7 +106,7 @@ void UploadStream::OnReceived(bool ok) {
     return;
   }
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     if (finished_) return;
     if (absl::Status status = TakeMessage(); !status.ok()) {
       End(std::move(status));
@@ -153,7 +152,7 @@ void UploadStream::Complete() {
   std::shared_ptr<Quotas::Job> quota;
   std::string client;
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     if (finished_) return;
     if (context_.IsCancelled()) {
       End(absl::CancelledError(kNoMessage));
@@ -182,7 +181,7 @@ void UploadStream::Complete() {
         if (!mesh.ok()) return;
         quota->AddMemory(*mesh, (*mesh)->mesh->resident_bytes());
       });
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   if (!job.ok()) {
     End(job.status());
   } else if (finished_) {
@@ -193,7 +192,7 @@ void UploadStream::Complete() {
 }
 
 void UploadStream::OnBuilt(const absl::StatusOr<UploadResult>& result) {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   // After Finish neither response_ nor entry_ may be used.
   if (finished_) return;
   if (!result.ok()) {
@@ -209,7 +208,7 @@ void UploadStream::OnBuilt(const absl::StatusOr<UploadResult>& result) {
 void UploadStream::OnCancel() {
   UploadJobs::Ticket job;
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     job = job_;
     upload_.reset();
     EndCancelled();

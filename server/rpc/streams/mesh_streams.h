@@ -26,15 +26,15 @@ class MeshStream final
 
  private:
   absl::Status Ask() override;
-  absl::StatusOr<NextMessage> Fill(v1::ReadMeshResponse& message) override;
+  absl::StatusOr<NextMessage> Fill(v1::ReadMeshResponse& message) override
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
 
   MeshHandle mesh_;
 
-  // Guarded by the stream's lock:
-  bool has_header_ = false;
-  uint64_t next_vertex_ = 0;
-  uint64_t next_face_ = 0;
-  uint64_t next_joined_ = 0;
+  bool has_header_ ABSL_GUARDED_BY(mutex_) = false;
+  uint64_t next_vertex_ ABSL_GUARDED_BY(mutex_) = 0;
+  uint64_t next_face_ ABSL_GUARDED_BY(mutex_) = 0;
+  uint64_t next_joined_ ABSL_GUARDED_BY(mutex_) = 0;
 };
 
 // One CreateMesh call: a header, chunks, then a job that builds the mesh. The
@@ -58,13 +58,12 @@ class UploadStream final : public Call<v1::CreateMeshResponse> {
   void OnBuilt(const absl::StatusOr<UploadResult>& result);
 
   // Takes the message that was read. Errors: as Intake::Decode, MeshUpload.
-  // REQUIRES: mutex_ held.
-  absl::Status TakeMessage();
+  absl::Status TakeMessage() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
 
-  // Guarded by mutex_:
-  std::unique_ptr<MeshUpload> upload_;  // from the header to the end
-  UploadJobs::Ticket job_;              // from then on
-  v1::CreateMeshResponse response_;
+  // From the header to the end.
+  std::unique_ptr<MeshUpload> upload_ ABSL_GUARDED_BY(mutex_);
+  UploadJobs::Ticket job_ ABSL_GUARDED_BY(mutex_);  // from then on
+  v1::CreateMeshResponse response_ ABSL_GUARDED_BY(mutex_);
 };
 
 }  // namespace geodesic::server

@@ -31,19 +31,23 @@ class RowQuestion : public AnswerStream<Request> {
   using AnswerStream<Request>::AnswerStream;
 
  protected:
-  // The rest is called under the stream's lock.
-  virtual bool HasMoreRows() const = 0;
-  virtual void Take(const MatrixRow& row) = 0;
+  using AnswerStream<Request>::mutex_;
+
+  virtual bool HasMoreRows() const ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) = 0;
+  virtual void Take(const MatrixRow& row)
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) = 0;
   // Whether all that the last row made ready was put, as AnswerWriter::Put.
-  virtual bool Put(const MatrixRow& row) = 0;
-  virtual uint64_t ItemsFinished() const = 0;
+  virtual bool Put(const MatrixRow& row)
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) = 0;
+  virtual uint64_t ItemsFinished() const
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) = 0;
 
   // What the engine calls when there may be a row.
   std::function<void()> OnRow() {
     return [self = this->Shared(this)] { self->SetNews(); };
   }
 
-  void SetCall(EngineCall call) {
+  void SetCall(EngineCall call) ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     call_ = std::move(call);
     this->SetHeader(*call_.mesh, call_.algorithm);
     // To which what the reader has is certified.
@@ -55,7 +59,8 @@ class RowQuestion : public AnswerStream<Request> {
   void Cancel() final { call_.rows->Cancel(); }
 
  private:
-  absl::StatusOr<NextMessage> FillBlocks() final {
+  absl::StatusOr<NextMessage> FillBlocks() final
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     while (row_.has_value() || HasMoreRows()) {
       if (!row_.has_value()) {
         std::optional<absl::StatusOr<MatrixRow>> row = call_.rows->Take();
@@ -77,9 +82,9 @@ class RowQuestion : public AnswerStream<Request> {
   }
 
   EngineCall call_;
-  // Guarded by the stream's lock:
-  std::optional<MatrixRow> row_;  // being put
-  double certified_error_ = 0;    // of the rows so far
+  std::optional<MatrixRow> row_ ABSL_GUARDED_BY(mutex_);  // being put
+  // Of the rows so far.
+  double certified_error_ ABSL_GUARDED_BY(mutex_) = 0;
 };
 
 template <typename Request>
@@ -88,6 +93,7 @@ class RowStream final : public RowQuestion<Request, MatrixCall> {
   using RowQuestion<Request, MatrixCall>::RowQuestion;
 
  private:
+  using RowQuestion<Request, MatrixCall>::mutex_;
   static constexpr bool kIsNearest =
       std::is_same_v<Request, v1::FindNearestRequest>;
 
@@ -119,12 +125,13 @@ class RowStream final : public RowQuestion<Request, MatrixCall> {
     absl::StatusOr<MatrixCall> call =
         this->engine().matrices().Compute(std::move(question), this->OnRow());
     if (!call.ok()) return call.status();
+    MutexLock lock(mutex_);
     this->SetCall(*std::move(call));
     Announce();
     return absl::OkStatus();
   }
 
-  void Announce() {
+  void Announce() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     codec::AnswerWriter& writer = this->writer();
     const v1::ValueType type = this->value_type();
     const auto rows = static_cast<int64_t>(this->call().row_count);
@@ -141,18 +148,22 @@ class RowStream final : public RowQuestion<Request, MatrixCall> {
     }
   }
 
-  bool HasMoreRows() const override { return rows_ < this->call().row_count; }
+  bool HasMoreRows() const override ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
+    return rows_ < this->call().row_count;
+  }
   uint64_t ItemsFinished() const override {
     return this->call().rows->rows_finished();
   }
 
-  void Take(const MatrixRow& row) override {
+  void Take(const MatrixRow& row) override
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     ++rows_;
     first_ = end_;
     end_ += row.values.size();
   }
 
-  bool Put(const MatrixRow& row) override {
+  bool Put(const MatrixRow& row) override
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     codec::AnswerWriter& writer = this->writer();
     return (!is_sparse_ || (writer.PutOne(row_end_, rows_ - 1, end_) &&
                             writer.Put(column_, first_, row.columns))) &&
@@ -165,10 +176,10 @@ class RowStream final : public RowQuestion<Request, MatrixCall> {
   uint32_t column_ = 0;
   uint32_t distance_ = 0;
 
-  // Guarded by the stream's lock:
-  uint64_t rows_ = 0;   // that were taken, or left out
-  uint64_t first_ = 0;  // value of the last of them
-  uint64_t end_ = 0;
+  // That were taken, or left out.
+  uint64_t rows_ ABSL_GUARDED_BY(mutex_) = 0;
+  uint64_t first_ ABSL_GUARDED_BY(mutex_) = 0;  // value of the last of them
+  uint64_t end_ ABSL_GUARDED_BY(mutex_) = 0;
 };
 
 using MatrixStream = RowStream<v1::ComputeMatrixRequest>;
@@ -189,6 +200,7 @@ class PairStream final : public RowQuestion<v1::ComputePairsRequest, PairCall> {
     absl::StatusOr<PairCall> call =
         engine().pairs().Compute(std::move(question), OnRow());
     if (!call.ok()) return call.status();
+    MutexLock lock(mutex_);
     SetCall(*std::move(call));
     const auto pairs = static_cast<int64_t>(this->call().pair_count);
     order_.emplace(pairs);
@@ -197,18 +209,22 @@ class PairStream final : public RowQuestion<v1::ComputePairsRequest, PairCall> {
     return absl::OkStatus();
   }
 
-  bool HasMoreRows() const override { return !order_->is_whole(); }
+  bool HasMoreRows() const override ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
+    return !order_->is_whole();
+  }
   uint64_t ItemsFinished() const override {
     return call().work->answered.counts().all();
   }
 
-  void Take(const MatrixRow& row) override {
+  void Take(const MatrixRow& row) override
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     order_->Add(row);
     next_path_ = 0;
     *trailer().mutable_pairs() = ToProto(call().work->answered.counts());
   }
 
-  bool Put(const MatrixRow& row) override {
+  bool Put(const MatrixRow& row) override
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     // Rows that have paths come in order.
     for (; next_path_ < row.paths.size(); ++next_path_) {
       const GeodesicPath& path = row.paths[next_path_];
@@ -220,10 +236,10 @@ class PairStream final : public RowQuestion<v1::ComputePairsRequest, PairCall> {
 
   uint32_t distance_ = 0;  // set by AskEngine, then constant
 
-  // Guarded by the stream's lock:
-  std::optional<codec::LineWriter> lines_;  // if paths were asked for
-  std::optional<PairOrder> order_;
-  uint64_t next_path_ = 0;  // of the last row
+  // If paths were asked for.
+  std::optional<codec::LineWriter> lines_ ABSL_GUARDED_BY(mutex_);
+  std::optional<PairOrder> order_ ABSL_GUARDED_BY(mutex_);
+  uint64_t next_path_ ABSL_GUARDED_BY(mutex_) = 0;  // of the last row
 };
 
 class TraceStream final : public RowQuestion<v1::TraceLinesRequest, LineCall> {
@@ -241,6 +257,7 @@ class TraceStream final : public RowQuestion<v1::TraceLinesRequest, LineCall> {
     absl::StatusOr<LineCall> call =
         engine().lines().Trace(std::move(question), OnRow());
     if (!call.ok()) return call.status();
+    MutexLock lock(mutex_);
     SetCall(*std::move(call));
     const auto count = static_cast<int64_t>(this->call().line_count);
     lines_.emplace(writer(), count);
@@ -249,14 +266,20 @@ class TraceStream final : public RowQuestion<v1::TraceLinesRequest, LineCall> {
     return absl::OkStatus();
   }
 
-  bool HasMoreRows() const override {
+  bool HasMoreRows() const override ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     return lines_->line() < call().line_count;
   }
-  uint64_t ItemsFinished() const override { return lines_->line(); }
+  uint64_t ItemsFinished() const override
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
+    return lines_->line();
+  }
 
-  void Take(const MatrixRow&) override { next_ = 0; }
+  void Take(const MatrixRow&) override ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
+    next_ = 0;
+  }
 
-  bool Put(const MatrixRow& row) override {
+  bool Put(const MatrixRow& row) override
+      ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_) {
     for (; next_ < row.lines.size(); ++next_, lines_->Next()) {
       const TracedLine& line = row.lines[next_];
       if (!lines_->Put(line.points, line.positions) ||
@@ -273,9 +296,8 @@ class TraceStream final : public RowQuestion<v1::TraceLinesRequest, LineCall> {
   uint32_t length_ = 0;
   uint32_t end_ = 0;
 
-  // Guarded by the stream's lock:
-  std::optional<codec::LineWriter> lines_;
-  uint64_t next_ = 0;  // line of the row
+  std::optional<codec::LineWriter> lines_ ABSL_GUARDED_BY(mutex_);
+  uint64_t next_ ABSL_GUARDED_BY(mutex_) = 0;  // line of the row
 };
 
 }  // namespace geodesic::server
