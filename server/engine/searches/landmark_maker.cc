@@ -122,7 +122,7 @@ void LandmarkMaker::Want(const MeshHandle& mesh) {
 }
 
 void LandmarkMaker::Enqueue(const MeshHandle& mesh) {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   const bool is_there = std::ranges::any_of(
       turns_, [&](const Turn& turn) { return turn.digest == mesh->digest; });
   if (is_there || turns_.size() >= kMaxTurns) return;
@@ -145,14 +145,14 @@ void LandmarkMaker::SubmitStep() {
 
 void LandmarkMaker::RunStep(const std::stop_token& stop) {
   const MeshHandle mesh = [this] {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     return turns_.front().mesh.lock();
   }();
   const absl::StatusOr<bool> goes_on =
       Guarded("made landmarks", [&] { return Step(mesh, stop); });
   const bool is_over = !goes_on.ok() || !*goes_on;
   if (is_over) work_ = Work();
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   if (is_over) turns_.pop_front();
   if (!turns_.empty()) SubmitStep();
 }
@@ -194,14 +194,14 @@ absl::StatusOr<bool> LandmarkMaker::MakeNow(const MeshHandle& mesh,
     if (!status.ok()) return status;
   }
   Publish(*mesh, *std::move(work));
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   looked_.erase(mesh->digest);
   return true;
 }
 
 bool LandmarkMaker::HaveLooked(const MeshHandle& mesh) {
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     if (looked_.size() >= kMaxLooked) {
       std::erase_if(looked_, [](const auto& look) { return look.second; });
     }
@@ -212,7 +212,7 @@ bool LandmarkMaker::HaveLooked(const MeshHandle& mesh) {
     const bool is_there = Guarded("read landmarks", [&] {
                             return Load(mesh.lock());
                           }).value_or(false);
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     if (is_there) {
       looked_.erase(digest);
     } else {

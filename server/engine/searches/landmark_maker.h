@@ -18,7 +18,6 @@
 #include <deque>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -35,6 +34,7 @@
 #include "server/engine/meshes/landmark_store.h"
 #include "server/engine/meshes/mesh_library.h"
 #include "server/engine/searches/landmark_files.h"
+#include "server/locks/mutex.h"
 
 namespace geodesic::server {
 
@@ -87,8 +87,8 @@ class LandmarkMaker {
   };
 
   void Enqueue(const MeshHandle& mesh);
-  // REQUIRES: mutex_ held, turns_ not empty.
-  void SubmitStep();
+  // REQUIRES: turns_ is not empty.
+  void SubmitStep() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
   void RunStep(const std::stop_token& stop);
 
   // Called by the job alone. Whether there is more to do. Errors: the landmarks
@@ -123,13 +123,11 @@ class LandmarkMaker {
   std::atomic<uint64_t> made_ = 0;
   std::atomic<uint64_t> loaded_ = 0;
 
-  std::mutex mutex_;
-  // Guarded by mutex_: the meshes that wait; while there are any, a job works
-  // on the first.
-  std::deque<Turn> turns_;
-  // Guarded by mutex_: the meshes that the disk is looked at for, and whether
-  // that is over.
-  std::map<std::string, bool> looked_;
+  Mutex mutex_;
+  // The meshes that wait; while there are any, a job works on the first.
+  std::deque<Turn> turns_ ABSL_GUARDED_BY(mutex_);
+  // The meshes that the disk is looked at for, and whether that is over.
+  std::map<std::string, bool> looked_ ABSL_GUARDED_BY(mutex_);
 
   Work work_;  // the job's
 };

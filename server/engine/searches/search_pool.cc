@@ -7,7 +7,7 @@ namespace geodesic::server {
 SearchPool::Loan::~Loan() {
   if (pool_ == nullptr) return;
   search_.reset();
-  std::lock_guard lock(pool_->mutex_);
+  MutexLock lock(pool_->mutex_);
   --pool_->lent_;
 }
 
@@ -22,7 +22,7 @@ void SearchPool::Loan::GiveBack() {
                   .memory = *std::move(memory),
                   .since = pool_->clock_.Now()});
   const std::shared_ptr<SearchPool> pool = std::move(pool_);
-  std::lock_guard lock(pool->mutex_);
+  MutexLock lock(pool->mutex_);
   pool->idle_.splice(pool->idle_.end(), node);
   --pool->lent_;
 }
@@ -32,7 +32,7 @@ SearchPool::Loan SearchPool::Lend(const MeshHandle& mesh) {
   std::list<Idle> found;    // one or none
   std::list<Idle> dropped;  // freed after the lock is released
   {
-    std::lock_guard lock(mutex_);
+    MutexLock lock(mutex_);
     ++lent_;
     for (auto it = idle_.begin(); it != idle_.end(); ++it) {
       if (it->mesh.lock() != mesh) continue;
@@ -53,14 +53,14 @@ SearchPool::Loan SearchPool::Lend(const MeshHandle& mesh) {
 
 void SearchPool::DropIdle() {
   std::list<Idle> dropped;
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   dropped.swap(idle_);
 }
 
 void SearchPool::DropOld() {
   const TimePoint oldest = clock_.Now() - kPatience;
   std::list<Idle> dropped;
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   for (auto it = idle_.begin(); it != idle_.end();) {
     const auto idle = it++;
     if (idle->since > oldest && !idle->mesh.expired()) continue;
@@ -69,7 +69,7 @@ void SearchPool::DropOld() {
 }
 
 size_t SearchPool::idle() const {
-  std::lock_guard lock(mutex_);
+  MutexLock lock(mutex_);
   return idle_.size();
 }
 

@@ -8,13 +8,13 @@
 #include <cstddef>
 #include <list>
 #include <memory>
-#include <mutex>
 #include <optional>
 
 #include "geodesic/target_search.h"
 #include "server/engine/base/byte_budget.h"
 #include "server/engine/base/clock.h"
 #include "server/engine/meshes/mesh_store.h"
+#include "server/locks/mutex.h"
 
 namespace geodesic::server {
 
@@ -77,10 +77,9 @@ class SearchPool : public std::enable_shared_from_this<SearchPool> {
   const std::shared_ptr<ByteBudget> memory_;
   const size_t most_;
 
-  mutable std::mutex mutex_;
-  // Guarded by mutex_:
-  std::list<Idle> idle_;  // longest idle first
-  size_t lent_ = 0;
+  mutable Mutex mutex_;
+  std::list<Idle> idle_ ABSL_GUARDED_BY(mutex_);  // longest idle first
+  size_t lent_ ABSL_GUARDED_BY(mutex_) = 0;
 };
 
 }  // namespace geodesic::server
