@@ -204,7 +204,8 @@ TEST_F(PairQuestionTest, FewSearchesAreSpreadOverThreads) {
   }
   const auto most_in_a_row = [&](size_t threads) {
     size_t most = 0;
-    for (const PairRow& row : (*Make(pairs, {}, threads))->rows()) {
+    const auto question = Make(pairs, {}, threads).value();
+    for (const PairRow& row : question->rows()) {
       most = std::max(most, row.pairs.size());
     }
     return most;
