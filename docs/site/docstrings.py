@@ -1,6 +1,7 @@
 """What the Python package offers, with its docstrings, without importing it."""
 
 import ast
+import itertools
 import pathlib
 
 # Beside what `geodesic` itself names.
@@ -16,14 +17,17 @@ def _signature(node, name):
     return f"{name}({ast.unparse(node.args)}){result}"
 
 
-def _of(node, module):
-    """(name, signature, docstring) of a function, or of a class and its methods."""
+def _of(node, module, classes):
+    """(name, signature, docstring) of a function, or of a class and its methods,
+    those of what it is derived from included."""
     name = f"{module}.{node.name}"
     if isinstance(node, ast.FunctionDef):
         yield name, _signature(node, name), ast.get_docstring(node)
         return
     yield name, f"class {name}", ast.get_docstring(node)
-    for member in node.body:
+    bases = [classes[base.id].body for base in node.bases
+             if getattr(base, "id", "") in classes]
+    for member in itertools.chain(*bases, node.body):
         if not isinstance(member, ast.FunctionDef):
             continue
         if member.name == "__init__":
@@ -41,6 +45,8 @@ def read(package):
              for path in pathlib.Path(package).glob("*.py")}
     defined = {(module, node.name): node for module, tree in trees.items()
                for node in tree.body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
+    classes = {name: node for (_, name), node in defined.items()
+               if isinstance(node, ast.ClassDef)}
     names, origins = [], {}
     for node in trees["__init__"].body:
         if isinstance(node, ast.ImportFrom) and node.module:
@@ -48,8 +54,11 @@ def read(package):
         elif isinstance(node, ast.Assign) and node.targets[0].id == "__all__":
             names = ast.literal_eval(node.value)
     yield "geodesic", [entry for name in names for entry in
-                       _of(defined[origins.get(name, "__init__"), name], "geodesic")]
+                       _of(
+                           defined[origins.get(name, "__init__"), name], "geodesic",
+                           classes)]
     for module, members in _MODULES.items():
         yield f"geodesic.{module}", [
             entry for name in members
-            for entry in _of(defined[module, name], f"geodesic.{module}")]
+            for entry in _of(defined[module, name], f"geodesic.{module}",
+                             classes)]

@@ -13,6 +13,7 @@ _Progress = Optional[Callable[[int, int], object]]
 VERSION: str
 # (name, summary) of each; the first is the default.
 ALGORITHMS: Tuple[Tuple[str, str], ...]
+METHODS: Tuple[Tuple[str, Optional[str], Any], ...]
 
 def mesh_format(path: bytes) -> str:
     """That a file's ending names: "obj", "ply"... Raises InvalidArgument, which

@@ -6,19 +6,14 @@ import dataclasses
 import math
 from typing import Optional, Tuple
 
+from . import _core
 from .arguments import to_count, to_real
 from .errors import InvalidArgument
 
 # Each, and the parameter that it takes.
-_PARAMETERS = {
-    "fmm": None,
-    "fmm-untidy": None,
-    "heat": "lambda_",
-    "svg": "neighbours",
-    "gtu": "samples",
-}
+_PARAMETERS = {name: parameter for name, parameter, _ in _core.METHODS}
 NAMES: Tuple[str, ...] = tuple(_PARAMETERS)
-_DEFAULTS = {"lambda_": 1.0, "neighbours": 50, "samples": 200}
+_DEFAULTS = {parameter: value for _, parameter, value in _core.METHODS if parameter}
 
 
 @dataclasses.dataclass(frozen=True)

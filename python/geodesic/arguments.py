@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import numbers
+import os
 from typing import Any, Optional
 
 import numpy as np
@@ -31,6 +33,23 @@ def to_real(value: Any, name: str) -> float:
         return float(value)
     except (TypeError, ValueError, OverflowError):
         raise InvalidArgument(f"{name} is {value!r}, which is no number") from None
+
+
+def to_threads(threads: Optional[int]) -> int:
+    """None: as many as this process may use."""
+    if threads is None:
+        return len(os.sched_getaffinity(0))
+    return to_count(threads, "threads", "at least one has to work")
+
+
+def to_radius(radius: Optional[float]) -> float:
+    """None: +inf."""
+    if radius is None:
+        return math.inf
+    radius = to_real(radius, "radius")
+    if not radius >= 0:
+        raise InvalidArgument(f"radius is {radius}, which is no distance")
+    return radius
 
 
 def to_array(value: Any, name: str, dtype: Optional[Any] = None) -> np.ndarray:

@@ -87,6 +87,16 @@ class Options:
                 "exact alone: name an exact algorithm or none")
         return self
 
+    def check_places(self, places: Places, name: str) -> None:
+        """Raises:
+            InvalidArgument: it is approximate, and not all of them are vertices.
+        """
+        if self.approximate is not None and np.any(places.kinds):
+            first = int(np.argmax(places.kinds != 0))
+            raise InvalidArgument(
+                f"{name}[{first}] is no vertex: {self.approximate.name} is "
+                "approximate and gives the distances of vertices alone")
+
 
 @dataclasses.dataclass
 class PathAnswer:

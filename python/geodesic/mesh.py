@@ -5,85 +5,29 @@ from __future__ import annotations
 import dataclasses
 import functools
 import math
-import os
-import pathlib
-from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple, Union
+from typing import Any, Iterator, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _core, inputs
 from .approximate import Approximate
-from .arguments import to_array, to_count, to_real
+from .arguments import to_array, to_count, to_radius, to_real, to_threads
 from .asynchronous import AsyncMesh
-from .backend import Backend, Options
-from .digest import Reading
-from .errors import InvalidArgument, naming
-from .local import LocalBackend
-from .places import (Curve, FacePoint, Places, Source, Sources, SurfacePoint,
-                     to_numbers, to_places, to_sources)
+from .backend import Options
+from .errors import InvalidArgument
+from .places import Curve, Places, Sources, SurfacePoint, to_sources
 from .progress import ProgressOption, reporting
-from .reach import joined_into, warn, warn_of_isolated, why_unreached
+from .reach import warn, why_unreached
 from .results import Field, Isoline, Line, LogMap, Path
-from .surface import FaceFinder, PointFinder
+from .triangle_mesh import OneOrManyPlaces, OneOrManySources, TriangleMesh
 
-OneOrManySources = Union[Source, Sequence[Source], NDArray[Any], Places]
-OneOrManyPlaces = Union[SurfacePoint, Sequence[SurfacePoint], NDArray[Any],
-                        Places]
 AnyAlgorithm = Union[str, Approximate, None]
-
-
-def _threads(threads: Optional[int]) -> int:
-    """None: as many as this process may use."""
-    if threads is None:
-        return len(os.sched_getaffinity(0))
-    return to_count(threads, "threads", "at least one has to work")
-
-
-def _radius(radius: Optional[float]) -> float:
-    if radius is None:
-        return math.inf
-    radius = to_real(radius, "radius")
-    if not radius >= 0:
-        raise InvalidArgument(f"radius is {radius}, which is no distance")
-    return radius
-
-
-def _vertices_alone(places: Places, name: str, options: Options) -> None:
-    """Approximate algorithms know no other places' distances."""
-    if options.approximate is not None and np.any(places.kinds):
-        first = int(np.argmax(places.kinds != 0))
-        raise InvalidArgument(
-            f"{name}[{first}] is no vertex: {options.approximate.name} is "
-            "approximate and gives the distances of vertices alone")
-
 
 # Values in rows of k for fewer targets: a slip of the pen must not take all memory.
 _MOST_PADDED = 10**8
 
 
-def _mask(values: Optional[ArrayLike], name: str, count: int) -> np.ndarray:
-    """Which of `count` are named, by numbers or by a mask; bool (count,)."""
-    mask = np.zeros(count, bool)
-    if values is not None and to_array(values, name).size:
-        numbers = to_numbers(to_array(values, name), name, count)
-        if numbers.size and numbers.max() >= count:
-            first = int(np.argmax(numbers >= count))
-            raise InvalidArgument(f"{name}[{first}] is {numbers[first]}, but the "
-                                  f"mesh has {count}, numbered from 0")
-        mask[numbers] = True
-    return mask
-
-
-def restored(vertices: np.ndarray, faces: np.ndarray, reading: Reading,
-             kept_faces: Optional[np.ndarray] = None) -> "Mesh":
-    """What a pickled mesh becomes."""
-    mesh = Mesh._on(LocalBackend(_core.Mesh.restore(vertices, faces, *reading)))
-    mesh._kept_faces = kept_faces
-    return mesh
-
-
-class Mesh:
+class Mesh(TriangleMesh):
     """A triangle mesh, and the questions about distances along its surface.
 
         mesh = geodesic.Mesh(V, F)
@@ -124,140 +68,6 @@ class Mesh:
     you like.
     """
 
-    def __init__(self, vertices: Any, faces: Optional[ArrayLike] = None, *,
-                 weld: inputs.Weld = None) -> None:
-        """Takes arrays, a file, or another library's mesh.
-
-        Args:
-            vertices: numbers (V, 3); or a file's path (.obj, .ply, .off, .stl,
-                .vtk, .vtp, .glb, .gltf, or .gz of these);
-                or a mesh of trimesh, meshio or PyVista.
-            faces: integers (F, 3), the vertices of each triangle; polygons of
-                files and other libraries' meshes become triangles inside them.
-
-            weld: how edges are joined at which faces are kept apart, as programs
-                do where a texture, a normal or a colour changes: True joins
-                boundary edges that lie on each other within rounding, a number
-                those whose ends lie within that distance, False none. None:
-                True for files, False for arrays and other libraries' meshes.
-                Vertices keep their numbers: a repeated one has the answers of
-                the place that it is part of.
-
-        Raises:
-            InvalidArgument: naming the first offender: a wrong shape or type, a
-                coordinate that is not finite, a vertex that is not there, a
-                malformed line of a file.
-        """
-        if isinstance(vertices, (str, os.PathLike)):
-            if faces is not None:
-                raise InvalidArgument("faces come from the file, too: "
-                                      f"Mesh({os.fspath(vertices)!r})")
-            path = pathlib.Path(vertices)
-            with naming(path):
-                mesh = _core.Mesh.read(path.read_bytes(), path.name,
-                                       *inputs.to_welding(weld, True))
-        else:
-            arrays = (inputs.arrays_of(vertices) if faces is None else
-                      (inputs.to_vertices(vertices), inputs.to_faces(faces)))
-            mesh = _core.Mesh(*arrays, *inputs.to_welding(weld, False))
-        self._backend: Backend = LocalBackend(mesh)
-        self._kept_faces: Optional[NDArray[np.int64]] = None
-
-        self._tell()
-
-    def _tell(self) -> "Mesh":
-        """Itself; warns whoever made it of what was joined, left out or guessed."""
-        for note in self._backend.notes():
-            warn(note)
-        return self
-
-    @classmethod
-    def _on(cls, backend: Backend) -> "Mesh":
-        """A mesh whose questions another place answers."""
-        mesh = cls.__new__(cls)
-        mesh._backend = backend
-        mesh._kept_faces = None
-        return mesh
-
-    def __repr__(self) -> str:
-        return (f"<geodesic.Mesh: {self.n_vertices} vertices, {self.n_faces} "
-                f"faces, {self._backend.where()}>")
-
-    def __reduce__(self):
-        # So that multiprocessing and joblib can send it.
-        if not isinstance(self._backend, LocalBackend):
-            raise TypeError("a mesh of a service cannot be pickled; the other "
-                            "process can open it by its digest")
-        return restored, (np.array(self.vertices), self.faces,
-                          self._backend.reading(), self.kept_faces)
-
-    @property
-    def n_vertices(self) -> int:
-        """V."""
-        return self._backend.vertex_count
-
-    @property
-    def n_faces(self) -> int:
-        """F."""
-        return self._backend.face_count
-
-    @property
-    def vertices(self) -> NDArray[np.float64]:
-        """(V, 3), read only."""
-        return self._vertices
-
-    @property
-    def faces(self) -> NDArray[np.int32]:
-        """(F, 3), read only."""
-        return self._faces
-
-    @property
-    def kept_faces(self) -> Optional[NDArray[np.int64]]:
-        """Of a mesh made by without(): the numbers of its faces in the whole."""
-        return self._kept_faces
-
-    @property
-    def digest(self) -> str:
-        """The mesh's name on every server: a sha-256 of its arrays."""
-        return self._digest
-
-    def info(self) -> Dict[str, Any]:
-        """What there is to know of the mesh: numbers of edges, boundary_loops,
-        components, isolated_vertices, non_manifold_edges, degenerate_faces, its
-        genus, bounding_box_min and _max, mean_edge_length, anisotropy; and what
-        was joined or left out: notes, seam_edges, joined_vertices,
-        left_out_faces, close_edges (not joined), close_edge_distance and
-        touching_edges (which nothing joins)."""
-        return self._backend.facts()
-
-    def without(self, vertices: Optional[ArrayLike] = None,
-                faces: Optional[ArrayLike] = None) -> "Mesh":
-        """The mesh with a part left out, such as a cortex's medial wall.
-
-            cortex = mesh.without(medial_wall)      # bool (V,), or numbers
-
-        Args:
-            vertices: numbers or a mask (V,); their faces go.
-            faces: numbers or a mask (F,).
-
-        Returns:
-            A mesh whose vertices have the same numbers; those left out have no
-            faces, so nothing leads there. Faces are numbered anew: `kept_faces`
-            has their numbers in this mesh.
-        """
-        gone = _mask(faces, "faces", self.n_faces)
-        masked = _mask(vertices, "vertices", self.n_vertices)
-        joined = self._backend.reading()[0].astype(np.intp)
-        np.logical_or.at(masked, joined[:, 1], masked[joined[:, 0]])
-        gone |= np.any(masked[self.faces], axis=1)
-        if gone.all():
-            raise InvalidArgument("no face is left")
-        rest = Mesh._on(self._backend.with_faces(self.faces[~gone]))
-        rest._kept_faces = np.flatnonzero(~gone)
-        return rest
-
-    # Questions.
-
     def distances(self, source: OneOrManySources, *,
                   targets: Optional[OneOrManyPlaces] = None,
                   radius: Optional[float] = None,
@@ -280,12 +90,12 @@ class Mesh:
             source, offsets)
         if targets is not None and len(points) == 0:
             return np.empty(0)
-        options = Options(algorithm, _threads(threads), tolerance=tolerance)
-        _vertices_alone(points, "targets", options)
+        options = Options(algorithm, to_threads(threads), tolerance=tolerance)
+        options.check_places(points, "targets")
         stops = targets is not None and options.approximate is None
         with reporting(progress, "vertices") as options.progress:
             field = self._backend.field(
-                sources, points, _radius(radius),
+                sources, points, to_radius(radius),
                 len(points) if stops else None, False, False, False, options)
         if targets is None:
             return field.distances
@@ -319,7 +129,7 @@ class Mesh:
         if stop_after_targets is not None:
             stop_after_targets = to_count(stop_after_targets,
                                           "stop_after_targets")
-        options = Options(algorithm, _threads(threads), tolerance=tolerance)
+        options = Options(algorithm, to_threads(threads), tolerance=tolerance)
         if options.tolerance != 0 and (labels or gradients):
             raise InvalidArgument(
                 f"{'labels' if labels else 'gradients'}: a field within a "
@@ -330,10 +140,10 @@ class Mesh:
                                (stop_after_targets, "fields that stop are")):
             if is_asked:
                 options.exact_alone(what)
-        _vertices_alone(points, "targets", options)
+        options.check_places(points, "targets")
         with reporting(progress, "vertices") as options.progress:
             field = self._backend.field(
-                sources, points, _radius(radius), stop_after_targets, labels,
+                sources, points, to_radius(radius), stop_after_targets, labels,
                 gradients, certified_errors, options)
         return (dataclasses.replace(field, target_distances=None)
                 if targets is None else field)
@@ -376,8 +186,8 @@ class Mesh:
         if not interval >= 0:
             raise InvalidArgument(f"interval is {interval}; seconds are wanted")
         return self._backend.progressive(
-            self._sources(source, offsets), _radius(radius), interval,
-            Options(algorithm, _threads(threads)).exact_alone(
+            self._sources(source, offsets), to_radius(radius), interval,
+            Options(algorithm, to_threads(threads)).exact_alone(
                 "progressive fields are"))
 
     def distance(self, source: SurfacePoint, target: SurfacePoint, *,
@@ -429,13 +239,13 @@ class Mesh:
                                   f"{len(ends)} targets: pairs need as many")
         if len(starts) == 0:
             return np.empty(0)
-        options = Options(algorithm, _threads(threads), tolerance=tolerance)
+        options = Options(algorithm, to_threads(threads), tolerance=tolerance)
         if options.exact is not None:
             raise InvalidArgument(
                 f"algorithm is {options.exact!r}, but exact pairs are searched "
                 "for by the default one; name none, or an approximate one")
-        _vertices_alone(starts, "sources", options)
-        _vertices_alone(ends, "targets", options)
+        options.check_places(starts, "sources")
+        options.check_places(ends, "targets")
         with reporting(progress, "sources") as options.progress:
             return self._backend.pairs(starts, ends, options)
 
@@ -468,8 +278,8 @@ class Mesh:
             return []
         with reporting(progress, "vertices") as report:
             paths = self._paths(
-                sources, points, _radius(radius),
-                Options(algorithm, _threads(threads),
+                sources, points, to_radius(radius),
+                Options(algorithm, to_threads(threads),
                         report).exact_alone("paths are"))
         for i, path in enumerate(paths):
             if path.unreached is not None:
@@ -516,7 +326,7 @@ class Mesh:
         """
         sources = self._sources(source, offsets)
         options = Options(
-            algorithm, _threads(threads),
+            algorithm, to_threads(threads),
             tolerance=tolerance).exact_alone("isolines are")
         if levels is None:
             count = 10 if count is None else to_count(count, "count")
@@ -586,11 +396,11 @@ class Mesh:
             raise InvalidArgument("there is no target")
         columns = self.n_vertices if points is None else len(points)
         with reporting(progress, "rows") as report:
-            options = Options(algorithm, _threads(threads), report, tolerance)
+            options = Options(algorithm, to_threads(threads), report, tolerance)
             if points is not None:
-                _vertices_alone(points, "targets", options)
+                options.check_places(points, "targets")
             if radius is not None and out is None:
-                return self._sparse(rows, points, columns, _radius(radius),
+                return self._sparse(rows, points, columns, to_radius(radius),
                                     dtype, options)
             if out is None:
                 out = np.empty((len(rows), columns), dtype)
@@ -604,7 +414,7 @@ class Mesh:
                     f"out has shape {out.shape} and type {out.dtype}; it must be "
                     f"a writeable array of shape ({len(rows)}, {columns}) in C "
                     "order, of float64 or float32")
-            self._backend.fill_matrix(rows, points, _radius(radius), out,
+            self._backend.fill_matrix(rows, points, to_radius(radius), out,
                                       options)
             return out
 
@@ -644,11 +454,11 @@ class Mesh:
         if k > len(points) and k * len(rows) > _MOST_PADDED:
             raise InvalidArgument(f"k is {k}, but there are only {len(points)} "
                                   "targets")
-        options = Options(algorithm, _threads(threads), tolerance=tolerance)
-        _vertices_alone(points, "targets", options)
+        options = Options(algorithm, to_threads(threads), tolerance=tolerance)
+        options.check_places(points, "targets")
         with reporting(progress, "rows") as options.progress:
             counts, found, values = self._backend.sparse_matrix(
-                rows, points, _radius(radius), k, options)
+                rows, points, to_radius(radius), k, options)
         is_there = np.arange(k) < counts[:, np.newaxis]
         numbers = np.full(is_there.shape, -1, np.int64)
         distances = np.full(is_there.shape, np.inf)
@@ -672,7 +482,7 @@ class Mesh:
         with reporting(progress, "vertices") as report:
             vertices, distances = self._backend.samples(
                 self._sources(source, None), count,
-                Options(algorithm, _threads(threads), report,
+                Options(algorithm, to_threads(threads), report,
                         tolerance).exact_alone("samples are"))
         if len(vertices) < count:
             warn(f"{count} samples were asked for and {len(vertices)} are there: "
@@ -688,8 +498,8 @@ class Mesh:
         distance. The surface around it must be a disk or half-disk."""
         with reporting(progress, "vertices") as report:
             coordinates, zero_direction = self._backend.log_map(
-                self._sources(source, None), _radius(radius),
-                Options(algorithm, _threads(threads),
+                self._sources(source, None), to_radius(radius),
+                Options(algorithm, to_threads(threads),
                         report).exact_alone("log maps are"))
         return LogMap(coordinates, zero_direction)
 
@@ -746,31 +556,9 @@ class Mesh:
         with reporting(progress, "lines") as report:
             answers = self._backend.trace(
                 sources, ways, lengths.reshape(-1),
-                Options(None, _threads(threads), report))
+                Options(None, to_threads(threads), report))
         lines = [Line(self, a.places, a.points, a.length, a.end) for a in answers]
         return lines[0] if is_one else lines
-
-    # Places.
-
-    def nearest_point(self, xyz: ArrayLike,
-                      ) -> Union[FacePoint, List[FacePoint]]:
-        """The place on the surface that is nearest to a point in space.
-
-            d = mesh.distances(mesh.nearest_point([0.1, 2, 3]))
-
-        Args:
-            xyz: (3,), or (N, 3) for a list of N places. The first question sorts
-                the faces; then each takes about a millisecond.
-        """
-        points = to_array(xyz, "xyz", np.float64)
-        if points.shape[-1:] != (3,) or points.ndim > 2:
-            raise InvalidArgument(
-                f"points in space have shape {points.shape}, not (3,) or (N, 3)")
-        if not np.all(np.isfinite(points)):
-            raise InvalidArgument("a point in space is not finite")
-        if points.ndim == 1:
-            return self._point_finder.nearest(points)
-        return [self._point_finder.nearest(point) for point in points]
 
     def curve(self, places: OneOrManyPlaces, *, closed: bool = False) -> Curve:
         """A curve through places that need not share faces: shortest paths from
@@ -796,55 +584,7 @@ class Mesh:
             length += path.length
         return Curve(points, length, len(points) - len(stops))
 
-    def positions(self, places: OneOrManyPlaces) -> NDArray[np.float64]:
-        """Where places lie in space, (N, 3).
-
-        Raises:
-            InvalidArgument: naming a place that is not on the mesh.
-        """
-        return self._backend.positions(self._places(places, "places"))
-
-    def plot(self, values: Optional[ArrayLike] = None, **options: Any) -> Any:
-        """Draws the mesh, coloured by a value per vertex; see
-        geodesic.plotting.plot."""
-        from . import plotting
-        return plotting.plot(self, values, **options)
-
     @property
     def aio(self) -> "AsyncMesh":
         """The same methods to await: d = await mesh.aio.distances(0)."""
         return AsyncMesh(self)
-
-    # A cached_property alone could be assigned: these have properties above.
-
-    @functools.cached_property
-    def _vertices(self) -> NDArray[np.float64]:
-        return self._backend.vertices()
-
-    @functools.cached_property
-    def _faces(self) -> NDArray[np.int32]:
-        faces = self._backend.faces()
-        faces.setflags(write=False)
-        return faces
-
-    @functools.cached_property
-    def _digest(self) -> str:
-        return self._backend.digest()
-
-    @functools.cached_property
-    def _face_finder(self) -> FaceFinder:
-        return FaceFinder(self.faces, joined_into(self._backend.reading(),
-                                                  self.n_vertices))
-
-    @functools.cached_property
-    def _point_finder(self) -> PointFinder:
-        return PointFinder(self.vertices, self.faces)
-
-    def _sources(self, source, offsets):
-        sources = to_sources(source, offsets, self.n_vertices)
-        warn_of_isolated(sources, self._backend.isolated)
-        return sources
-
-    def _places(self, places, name):
-        return to_places(() if places is None else places, name,
-                         self.n_vertices)

@@ -11,10 +11,10 @@ from .arguments import to_array
 from .errors import InvalidArgument
 
 if TYPE_CHECKING:
-    from .mesh import Mesh
+    from .triangle_mesh import TriangleMesh
 
 
-def plot(mesh: "Mesh", values: Optional[ArrayLike] = None, *,
+def plot(mesh: "TriangleMesh", values: Optional[ArrayLike] = None, *,
          lines: Sequence[Any] = (), view: str = "xy",
          file: Optional[str] = None, title: Optional[str] = None,
          cmap: str = "viridis", backend: Optional[str] = None) -> Any:

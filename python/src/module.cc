@@ -18,6 +18,30 @@ py::list Algorithms() {
   return algorithms;
 }
 
+// (name, parameter, its default) of each approximate method; None for both where
+// it takes none.
+py::list Methods() {
+  const MethodChoice defaults;
+  py::list methods;
+  for (const ApproximateMethodInfo& info : kApproximateMethods) {
+    py::object parameter = py::none();
+    py::object value = py::none();
+    if (info.parameter == MethodParameter::kLambda) {
+      parameter = py::str("lambda_");
+      value = py::float_(defaults.lambda);
+    } else if (info.parameter == MethodParameter::kNeighbours) {
+      parameter = py::str("neighbours");
+      value = py::int_(defaults.neighbours);
+    } else if (info.parameter == MethodParameter::kSamples) {
+      parameter = py::str("samples");
+      value = py::int_(defaults.samples);
+    }
+    methods.append(
+        py::make_tuple(py::str(info.name.data()), parameter, value));
+  }
+  return methods;
+}
+
 }  // namespace
 
 PYBIND11_MODULE(_core, module) {
@@ -32,6 +56,7 @@ PYBIND11_MODULE(_core, module) {
   BindRows(module);
   module.attr("VERSION") = GEODESIC_VERSION;
   module.attr("ALGORITHMS") = py::tuple(Algorithms());
+  module.attr("METHODS") = py::tuple(Methods());
 }
 
 }  // namespace geodesic::python
