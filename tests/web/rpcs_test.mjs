@@ -138,6 +138,14 @@ test("ComputePairs", async () => {
   assertClose(distance, [Math.SQRT2, 0.1]);
 });
 
+test("TraceLines ends where the grid does", async () => {
+  const { length, end, position } = await read(clients.QuestionService.traceLines(
+    { meshDigest: digest, vertexSources: [0], vectors: [2, 1, 0], lengths: [Infinity] }));
+  assert.deepEqual(end, [1]);
+  assertClose(length, [Math.sqrt(1.25)]);
+  assertClose(position.slice(-3), [1, 0.5, 0]);
+});
+
 test("DeleteMesh", async () => {
   const other = asArrays(planarGrid(3));
   const { mesh } = await upload(server.url, other.header, other.bytes);
