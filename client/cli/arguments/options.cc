@@ -229,6 +229,21 @@ void AddMesh(CLI::App* app, const std::string& help, MeshArgument* mesh) {
   AddReading(app, mesh);
 }
 
+void AddSource(CLI::App* app, const std::string& what,
+               SourceArguments* sources) {
+  AddText(app,
+          {.name = "-s,--source",
+           .help = absl::StrCat(what, ", a POINT: ", kPointHelp),
+           .type = "POINT",
+           .required = true},
+          [sources](const std::string& text) {
+            absl::StatusOr<WrittenPoint> point = ParsePoint(text);
+            if (!point.ok()) return point.status();
+            sources->points.push_back({.points = {*point}});
+            return absl::OkStatus();
+          });
+}
+
 void AddSources(CLI::App* app, Need need, SourceArguments* sources) {
   sources->need = need;
   AddValue(app,

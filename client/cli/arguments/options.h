@@ -172,6 +172,9 @@ inline constexpr char kPointHelp[] =
     "the least or greatest coordinate) or name:NAME@FILE (what the file lists, "
     "NAME POINT a line)";
 
+// Adds --source for one place without an offset, which `what` names.
+void AddSource(CLI::App* app, const std::string& what,
+               SourceArguments* sources);
 // Adds --source, --curve and --sources.
 void AddSources(CLI::App* app, Need need, SourceArguments* sources);
 // Adds --target and --targets. `help` says what targets are for.

@@ -21,18 +21,7 @@ namespace {
 void AddOptions(CLI::App* app, QuestionArguments* arguments) {
   arguments->adds_to_ply = true;
   AddMesh(app, kMeshHelp, &arguments->mesh);
-  AddText(app,
-          {.name = "-s,--source",
-           .help = absl::StrCat("The middle of the map, a POINT: ", kPointHelp),
-           .type = "POINT",
-           .required = true},
-          // Without an offset.
-          [arguments](const std::string& text) {
-            absl::StatusOr<WrittenPoint> point = ParsePoint(text);
-            if (!point.ok()) return point.status();
-            arguments->sources.points.push_back({.points = {*point}});
-            return absl::OkStatus();
-          });
+  AddSource(app, "The middle of the map", &arguments->sources);
   AddRadius(app, "End the map at this distance", &arguments->radius);
   AddFloat32(app, &arguments->float32);
   const auto check = [arguments] {

@@ -54,17 +54,7 @@ absl::StatusOr<double> ParseAngle(const std::string& text) {
 void AddOptions(CLI::App* app, TraceArguments* arguments) {
   arguments->has_algorithm = false;
   AddMesh(app, kMeshHelp, &arguments->mesh);
-  AddText(app,
-          {.name = "-s,--source",
-           .help = absl::StrCat("Where the lines start, a POINT: ", kPointHelp),
-           .type = "POINT",
-           .required = true},
-          [arguments](const std::string& text) {
-            absl::StatusOr<WrittenPoint> point = ParsePoint(text);
-            if (!point.ok()) return point.status();
-            arguments->sources.points.push_back({.points = {*point}});
-            return absl::OkStatus();
-          });
+  AddSource(app, "Where the lines start", &arguments->sources);
   AddValue(
       app,
       {"-d,--direction",

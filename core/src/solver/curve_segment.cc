@@ -20,17 +20,6 @@ Run RunFrom(const PlanePoint& a, const PlanePoint& b) {
   return {dx / length, dy / length, length};
 }
 
-// The side that holds both points, of which they leave out the same corner.
-std::optional<HalfEdge> SharedSide(const Mesh& mesh, const FacePoint& a,
-                                   const FacePoint& b) {
-  for (uint32_t corner = 0; corner < 3; ++corner) {
-    if (a.weights[corner] == 0 && b.weights[corner] == 0) {
-      return Next(mesh.FirstSide(a.face) + corner);
-    }
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 CurveSegment::CurveSegment(const Mesh& mesh, const FacePoint& begin,

@@ -67,6 +67,16 @@ std::optional<FacePoint> WithinFace(const Mesh& mesh, const SurfacePoint& point,
   return found;
 }
 
+std::optional<HalfEdge> SharedSide(const Mesh& mesh, const FacePoint& a,
+                                   const FacePoint& b) {
+  for (uint32_t corner = 0; corner < 3; ++corner) {
+    if (a.weights[corner] == 0 && b.weights[corner] == 0) {
+      return Next(mesh.FirstSide(a.face) + corner);
+    }
+  }
+  return std::nullopt;
+}
+
 PlanePoint InFrame(const Mesh& mesh, const FacePoint& point, HalfEdge h) {
   const HalfEdgeFrame& frame = mesh.frame(h);
   const double at_b = point.weights[Next(h) % 3];

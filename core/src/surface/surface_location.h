@@ -94,6 +94,11 @@ bool VisitSharedFaces(const Mesh& mesh, const SurfacePoint& a,
   });
 }
 
+// The side that holds two points of a face, if there is one: they leave out the
+// same corner.
+std::optional<HalfEdge> SharedSide(const Mesh& mesh, const FacePoint& a,
+                                   const FacePoint& b);
+
 // The point in the frame of one of its face's half-edges, in the scaled unit.
 PlanePoint InFrame(const Mesh& mesh, const FacePoint& point, HalfEdge h);
 

@@ -8,21 +8,6 @@
 #include "surface/surface_location.h"
 
 namespace geodesic {
-namespace {
-
-// The side of a face along which two points of it lie, if there is one.
-std::optional<HalfEdge> SideAlong(const Mesh& mesh, const FacePoint& a,
-                                  const FacePoint& b) {
-  for (uint32_t corner = 0; corner < 3; ++corner) {
-    if (a.weights[corner] == 0 && b.weights[corner] == 0) {
-      return Next(mesh.FirstSide(a.face) + corner);
-    }
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
 FaceSources::FaceSources(const Mesh& mesh, std::span<const Anchor> anchors)
     : mesh_(mesh), anchors_(anchors) {
   for (uint32_t i = 0; i < anchors.size(); ++i) {
@@ -35,7 +20,7 @@ FaceSources::FaceSources(const Mesh& mesh, std::span<const Anchor> anchors)
     }
     VisitSharedFaces(
         mesh, begin, end, [&](const FacePoint& at, const FacePoint& to) {
-          const std::optional<HalfEdge> side = SideAlong(mesh, at, to);
+          const std::optional<HalfEdge> side = SharedSide(mesh, at, to);
           if (side.has_value()) {
             AddOnEdge(i, mesh.From(*side), mesh.To(*side));
           } else {
