@@ -140,23 +140,6 @@ class ClientTest(unittest.TestCase):
         return {"FLOAT64": "<d", "FLOAT32": "<f", "UINT32": "<I", "UINT64": "<Q",
                 "UINT8": "<B"}[name[len("VALUE_TYPE_"):]]
 
-    def lines(self, answer):
-        """The points of each line, as places and in space."""
-        points = []
-        for kind, (first, second), weights, position in zip(
-                answer.point_kind, answer.point_numbers, answer.point_weights,
-                answer.position):
-            point = self.surface_pb.SurfacePoint
-            points.append(([
-                point(vertex=first),
-                point(edge=self.edge(first, second, weights[0])),
-                point(face=self.surface_pb.FacePoint(face=first,
-                                                     weights=weights))
-            ][kind], position))
-        self.assertEqual(([0] + answer.line_end)[-1], len(points))
-        return [points[first:last]
-                for first, last in zip([0] + answer.line_end, answer.line_end)]
-
     def field(self, digest, sources, **fields):
         """The answer for sources of vertices and their offsets."""
         return self.ask("ComputeField", mesh_digest=digest, sources=[
