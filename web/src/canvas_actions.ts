@@ -203,7 +203,7 @@ export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): Wire
       clearTimeout(rest);
       rest = setTimeout(() => {
         // A field that is on its way will be told of when it is there.
-        if (cursor && !explorer.isWaiting) hover(cursor, performance.now());
+        if (cursor && !explorer.fields.isWaiting) hover(cursor, performance.now());
       }, REST_MS);
     },
   };

@@ -57,8 +57,8 @@ export class Legend {
   }
 
   private describe(mesh: SurfaceMesh, field: FieldView): string[] {
-    const from = sourcesWords(mesh, this.explorer.fieldSources);
-    const method = this.methods.nameOf(this.explorer.algorithm);
+    const from = sourcesWords(mesh, this.explorer.fields.sources);
+    const method = this.methods.nameOf(this.explorer.fields.algorithm);
     const lines: string[] = [];
     switch (field.painted) {
       case "distances":
@@ -83,7 +83,7 @@ export class Legend {
   private describeDifference(mesh: SurfaceMesh, field: FieldView, method: string, from: string): string[] {
     const { difference } = field;
     if (!difference) return [];
-    const { against } = this.explorer;
+    const { against } = this.explorer.fields;
     const other = this.methods.nameOf(against);
     const [low, high] = difference.range.map((value) => formatNumber(value, 3));
     const kind = this.methods.isApproximate(against) ? "approximate" : "exact";

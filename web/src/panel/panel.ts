@@ -44,7 +44,7 @@ export class Panel {
     labels: PathLabels,
   ) {
     this.methods = new Methods((algorithm) => {
-      explorer.algorithm = algorithm;
+      explorer.fields.algorithm = algorithm;
       void explorer.askField();
     });
     this.legend = new Legend(explorer, scene, this.methods);
@@ -62,7 +62,7 @@ export class Panel {
     });
     onClick("compare", () => void this.compare());
     this.isolines.addEventListener("change", () => this.showIsolines());
-    this.cells.addEventListener("change", () => explorer.showCells(this.cells.checked));
+    this.cells.addEventListener("change", () => explorer.fields.showCells(explorer.mesh, this.cells.checked));
     this.radius.addEventListener("input", () => {
       const share = this.radius.valueAsNumber / RADIUS_STEPS;
       const widest = this.widestRadius();
@@ -98,12 +98,12 @@ export class Panel {
   }
 
   update(): void {
-    const { field, isWaiting, sources, summary, paths, samples } = this.explorer;
+    const { field, fields, sources, summary, paths, samples } = this.explorer;
     this.showSize();
     byId("source-count").textContent = countText(sources.length, "source");
     byId("next-step").textContent = this.nextStep();
     byId("cells-choice").hidden = sources.length < 2;
-    this.cells.checked = this.explorer.showsCells;
+    this.cells.checked = fields.showsCells;
     this.undoButton.disabled = !this.explorer.canUndo;
     this.redoButton.disabled = !this.explorer.canRedo;
     this.clearButton.disabled = this.explorer.isEmpty;
@@ -112,7 +112,7 @@ export class Panel {
     const figures: [string, string][] = [];
     if (field?.isPreview) {
       figures.push([farthest(this.explorer.radius ?? Infinity), `≈ ${formatNumber(field.largest, 4)}`]);
-      figures.push(["for now", PREVIEW_WORDS + (isWaiting ? "; the exact field is on its way" : "")]);
+      figures.push(["for now", PREVIEW_WORDS + (fields.isWaiting ? "; the exact field is on its way" : "")]);
     }
     if (field && summary) {
       figures.push([farthest(summary.settledRadius), formatNumber(field.largest, 10)]);
@@ -191,7 +191,7 @@ export class Panel {
 
   private async compare(): Promise<void> {
     if (!this.explorer.exactField) {
-      this.notice.hint(this.explorer.isWaiting ? "The exact field is still on its way." : NO_FIELD);
+      this.notice.hint(this.explorer.fields.isWaiting ? "The exact field is still on its way." : NO_FIELD);
       return;
     }
     const algorithm = this.methods.against;
@@ -246,7 +246,7 @@ export class Panel {
 
   /** As the command spells it; nothing for the server's choice. */
   private algorithmName(): string | undefined {
-    const { algorithm } = this.explorer;
+    const { algorithm } = this.explorer.fields;
     return algorithm === 0 ? undefined : this.methods.nameOf(algorithm);
   }
 
