@@ -5,16 +5,18 @@ import { Vector3 } from "three";
 import type { Algorithm } from "../generated/geodesic/v1/query_pb";
 import { Fields } from "./fields";
 import { History } from "./history";
-import { areSame, isNothing, keptPath, NOTHING, type KeptPath, type PathEnds, type Placed, type Sample } from "./placed";
-import { CursorPath } from "./scene/cursor_path";
+import { Lines } from "./lines";
+import { areSame, isNothing, NOTHING, type Placed, type Sample } from "./placed";
 import type { FieldView } from "./scene/field_view";
-import { CURVE_COLOR, Marks, onScreen } from "./scene/marks";
+import { CURVE_COLOR, endOnScreen, Marks, onScreen } from "./scene/marks";
 import { PathLine } from "./scene/path_line";
 import type { Scene } from "./scene/scene";
 import { Asking, type AskingEvents } from "./service/asking";
 import type { Connection } from "./service/connection";
-import { askCurve, askPath, askSamples, type FieldSummary } from "./service/questions";
+import { askCurve, type PathQuestion, type SurfaceLine } from "./service/lines";
+import { askSamples, type FieldSummary } from "./service/questions";
 import type { Difference } from "./surface/difference";
+import type { LineQuestion, StraightLine } from "./surface/line_question";
 import type { SurfaceMesh } from "./surface/mesh";
 import type { Place, Source } from "./surface/place";
 
@@ -30,13 +32,11 @@ export interface ExplorerEvents extends AskingEvents {
 export class Explorer {
   mesh: SurfaceMesh | undefined;
   readonly fields: Fields;
-  /** Paths that an address named and that have not come. */
-  awaitedPaths: readonly PathEnds[] = [];
 
   private placed = NOTHING;
   private readonly history = new History<Placed>();
   private readonly asking: Asking;
-  private readonly live: CursorPath;
+  private readonly lines: Lines;
   private readonly sketch: PathLine;
   private readonly marks: Marks;
 
@@ -55,13 +55,11 @@ export class Explorer {
       },
       left: () => this.hideLive(),
     });
-    this.live = new CursorPath(scene, {
-      ask: (mesh, target, signal) => {
-        const question = this.fields.question(mesh);
-        return this.asking.answerTo(mesh, () => askPath(this.asking.connection, question, target, signal));
-      },
-      value: (distance) => events.value(distance, true),
-      failed: (error, again) => this.asking.report(error, again),
+    this.lines = new Lines(scene, this.asking, {
+      value: (length) => events.value(length, true),
+      told: (what) => events.told(what),
+      kept: (line) => void this.change(this.withPath(line)),
+      came: (line) => void this.put(this.withPath(line)),
     });
     this.sketch = new PathLine(CURVE_COLOR, 3, scene.resolution);
     scene.overlay.add(this.sketch);
@@ -80,8 +78,13 @@ export class Explorer {
     return this.placed.sources;
   }
 
-  get paths(): readonly KeptPath[] {
+  get paths(): readonly SurfaceLine[] {
     return this.placed.paths;
+  }
+
+  /** Paths that an address named and that have not come. */
+  get awaitedPaths(): readonly LineQuestion[] {
+    return this.lines.awaited;
   }
 
   get samples(): readonly Sample[] {
@@ -118,14 +121,14 @@ export class Explorer {
     this.mesh = mesh;
     if (!kept) this.history.clear();
     this.placed = NOTHING;
-    this.awaitedPaths = [];
+    this.lines.awaited = [];
     this.fields.takeAway(this.mesh);
     this.showRadius(mesh);
     this.scene.show(mesh);
-    this.live.warmUp();
+    this.lines.warmUp();
     this.marks.warmUp();
     this.scene.draw();
-    this.live.hide();
+    this.lines.hide();
     void this.put(kept ?? NOTHING);
   }
 
@@ -166,11 +169,11 @@ export class Explorer {
    * What an address asks takes the place of what there is; its paths come one by
    * one. It can be undone if `isChange`: if the mesh was shown before.
    */
-  async ask(sources: readonly Source[], paths: readonly PathEnds[], radius: number | undefined, isChange: boolean): Promise<void> {
+  async ask(sources: readonly Source[], paths: readonly LineQuestion[], radius: number | undefined, isChange: boolean): Promise<void> {
     const placed = { ...NOTHING, sources, radius };
-    this.awaitedPaths = paths;
+    this.lines.awaited = paths;
     void (isChange ? this.change(placed) : this.put(placed));
-    await this.fetchPaths(this.asking.signal);
+    if (this.mesh) await this.lines.fetch(this.mesh, this.fields.algorithm);
   }
 
   /** Puts a source elsewhere while it is dragged by one gesture; the field follows. */
@@ -225,27 +228,34 @@ export class Explorer {
       this.events.value(Infinity, true);
       return;
     }
-    this.live.lead(mesh, place, since);
+    this.lines.lead(mesh, this.pathTo(place), since);
   }
 
   /** Keeps the path to `place`. */
   async keepPath(place: Place): Promise<void> {
-    const { mesh } = this;
-    if (!mesh || !this.sources.length) return;
-    const question = this.fields.question(mesh);
-    const { signal } = this.asking;
-    try {
-      const path = await this.asking.answerTo(mesh, () => askPath(this.asking.connection, question, place, signal));
-      if (mesh !== this.mesh) return;
-      if (!path) this.events.told("No path leads there.");
-      // The second click of two leads from the source to itself.
-      else if (path.length > 0) void this.change(this.withPath(keptPath(path, question.sources, place)));
-    } catch (error) {
-      this.asking.reportAbout(mesh, error, () => this.keepPath(place));
-    }
+    if (this.mesh && this.sources.length) await this.lines.keep(this.mesh, this.pathTo(place));
   }
 
-  removePath(path: KeptPath): void {
+  /** How long lines are that run straight on; nothing without a field, or if it is 0. */
+  get straightLength(): number | undefined {
+    const largest = this.exactField?.largest;
+    return (largest && (this.radius ?? largest)) || undefined;
+  }
+
+  /** Leads a line straight on from a source, in the direction of `place`. */
+  leadStraight(from: Place, place: Place, since: number): void {
+    const line = this.straightLine(from, place);
+    if (this.mesh && line) this.lines.lead(this.mesh, line, since);
+  }
+
+  /** Keeps the line that `leadStraight` draws. */
+  async keepStraight(from: Place, place: Place): Promise<void> {
+    const line = this.straightLine(from, place);
+    this.hideLive();
+    if (this.mesh && line) await this.lines.keep(this.mesh, line);
+  }
+
+  removePath(path: SurfaceLine): void {
     void this.change({ ...this.placed, paths: this.paths.filter((kept) => kept !== path) });
   }
 
@@ -324,27 +334,8 @@ export class Explorer {
     this.scene.material.uniforms.radius.value = radius === undefined ? 1e10 : radius / mesh.radius;
   }
 
-  private withPath(path: KeptPath): Placed {
+  private withPath(path: SurfaceLine): Placed {
     return { ...this.placed, paths: [...this.paths, path] };
-  }
-
-  // The paths that an address named are no change of what it asked.
-  private async fetchPaths(signal: AbortSignal): Promise<void> {
-    const { mesh } = this;
-    if (!mesh) return;
-    try {
-      for (let next = this.awaitedPaths[0]; next && !signal.aborted; next = this.awaitedPaths[0]) {
-        const { from, target } = next;
-        const question = { digest: mesh.digest, sources: [from], algorithm: this.fields.algorithm };
-        const path = await this.asking.answerTo(mesh, () => askPath(this.asking.connection, question, target, signal));
-        if (next !== this.awaitedPaths[0]) continue;
-        this.awaitedPaths = this.awaitedPaths.slice(1);
-        if (path) await this.put(this.withPath(keptPath(path, [from], target)));
-        else this.events.told("The address names a path between places that nothing connects.");
-      }
-    } catch (error) {
-      this.asking.reportAbout(mesh, error, () => this.fetchPaths(signal));
-    }
   }
 
   private async moveToVertices(mesh: SurfaceMesh): Promise<void> {
@@ -357,8 +348,19 @@ export class Explorer {
     await this.setSources(places.map((place) => ({ kind: "vertex", vertex: mesh.nearestCorner(place) })));
   }
 
+  private pathTo(target: Place): PathQuestion {
+    return { sources: this.sources, target, algorithm: this.fields.algorithm };
+  }
+
+  private straightLine(from: Place, towards: Place): StraightLine | undefined {
+    const { mesh, straightLength } = this;
+    if (!mesh || straightLength === undefined) return undefined;
+    const [start, end] = [from, towards].map((place) => mesh.positionOf(place));
+    return { from, direction: [end[0] - start[0], end[1] - start[1], end[2] - start[2]], length: straightLength };
+  }
+
   private hideLive(): void {
-    this.live.hide();
+    this.lines.hide();
     this.events.value(undefined, false);
   }
 
@@ -375,7 +377,6 @@ export class Explorer {
   /** Where kept paths end, on the screen's scale, and how long they are. */
   pathEnds(): { point: Vector3; length: number }[] {
     const { mesh } = this;
-    if (!mesh) return [];
-    return this.paths.map(({ target, length }) => ({ point: onScreen(mesh, target), length }));
+    return mesh ? this.paths.map((path) => ({ point: endOnScreen(mesh, path), length: path.length })) : [];
   }
 }

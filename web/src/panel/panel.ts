@@ -2,22 +2,22 @@
 // what the user chooses.
 
 import type { Explorer } from "../explorer";
-import { byId, onClick } from "./elements";
+import { byId, onClick, term } from "./elements";
 import { countText, formatCount, formatNumber } from "./format";
 import { Legend } from "./legend";
 import { Methods } from "./methods";
 import type { Notice } from "./notice";
 import type { PathLabels } from "./path_labels";
+import { PathList } from "./path_list";
 import { SavePanel } from "./save_panel";
 import { ScaleBar } from "./scale_bar";
 import type { Theme } from "./theme";
 import type { Scene } from "../scene/scene";
 import type { Connection } from "../service/connection";
 import type { SurfaceMesh } from "../surface/mesh";
-import { placeWords } from "../surface/place_words";
 import { PREVIEW_WORDS } from "../surface/preview";
 
-export type Tool = "source" | "path" | "curve";
+export type Tool = "source" | "path" | "curve" | "straight";
 
 const RADIUS_STEPS = 1000;
 const NO_FIELD = "There is no field yet: click a point of the surface.";
@@ -34,6 +34,7 @@ export class Panel {
   private readonly methods: Methods;
   private readonly legend: Legend;
   private readonly save: SavePanel;
+  private readonly paths: PathList;
 
   constructor(
     private readonly explorer: Explorer,
@@ -49,6 +50,7 @@ export class Panel {
     });
     this.legend = new Legend(explorer, scene, this.methods);
     this.save = new SavePanel(explorer, scene, notice, labels, this.legend, () => this.algorithmName());
+    this.paths = new PathList((path) => explorer.removePath(path));
     onClick("theme", () => theme.toggle());
     onClick("help", () => this.help());
     onClick("undo", () => this.undo());
@@ -120,19 +122,7 @@ export class Panel {
       if (samples.length) figures.push(["samples", formatCount(samples.length)]);
     }
     showTerms(byId("figures"), figures);
-    byId("paths-section").hidden = paths.length === 0;
-    byId("paths").replaceChildren(
-      ...paths.map((path) => {
-        const item = term("li", formatNumber(path.length, 10));
-        const ends = term("small", `from ${placeWords(path.from)} to ${placeWords(path.target)}`);
-        const remove = document.createElement("button");
-        remove.textContent = "×";
-        remove.setAttribute("aria-label", "Remove this path");
-        remove.addEventListener("click", () => this.explorer.removePath(path));
-        item.append(remove, ends);
-        return item;
-      }),
-    );
+    this.paths.show(paths);
     this.showRadius();
     this.legend.update();
     this.save.update();
@@ -168,12 +158,12 @@ export class Panel {
 
   undo(): void {
     this.explorer.undo();
-    this.chooseNext();
+    this.chooseAgain();
   }
 
   redo(): void {
     this.explorer.redo();
-    this.chooseNext();
+    this.chooseAgain();
   }
 
   toggleIsolines(): void {
@@ -187,6 +177,12 @@ export class Panel {
 
   help(): void {
     byId<HTMLDialogElement>("help-dialog").showModal();
+  }
+
+  // Who draws lines straight on may draw another one from a source that is there.
+  private chooseAgain(): void {
+    if (this.tool === "straight" && this.explorer.sources.length) this.update();
+    else this.chooseNext();
   }
 
   private async compare(): Promise<void> {
@@ -240,6 +236,11 @@ export class Panel {
   private nextStep(): string {
     if (this.tool === "curve") return "Drag on the surface: every point of the curve is a source.";
     if (!this.explorer.sources.length) return "Click a point of the surface.";
+    if (this.tool === "straight") {
+      return this.explorer.straightLength === undefined
+        ? "Lines are as long as the slider says, or as the farthest distance: there is no such length yet."
+        : "Drag from a source's dot: the line runs straight on in that direction. Click to move the source.";
+    }
     if (this.tool === "source") return "Click to move the source; Shift and click for one more.";
     return "Move: the shortest path follows. Click to keep it; Shift and click for one more source.";
   }
@@ -262,10 +263,4 @@ function farthest(radius: number): string {
 
 function showTerms(list: HTMLElement, terms: [string, string][]): void {
   list.replaceChildren(...terms.flatMap(([name, value]) => [term("dt", name), term("dd", value)]));
-}
-
-function term(tag: string, text: string): HTMLElement {
-  const element = document.createElement(tag);
-  element.textContent = text;
-  return element;
 }

@@ -92,7 +92,7 @@ export class SavePanel {
       sources,
       radius,
       algorithm: this.algorithmName(),
-      paths,
+      lines: paths.map((path) => path.question),
     };
   }
 }
