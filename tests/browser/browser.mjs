@@ -132,6 +132,13 @@ export class Viewer {
     await this.page.mouse.move(...(await this.at(x, y)));
   }
 
+  /** Presses the mouse and moves it by steps from one place to another, where it stays pressed. */
+  async drag([x, y], [toX, toY]) {
+    await this.move(x, y);
+    await this.page.mouse.down();
+    for (let i = 1; i <= 8; i++) await this.move(x + ((toX - x) * i) / 8, y + ((toY - y) * i) / 8);
+  }
+
   /**
    * Fingers that go down, move and leave: `paths` has the places of each, as many for
    * every finger. The page is one with `hasTouch`.

@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { openPage } from "./browser.mjs";
+import { lengthOf, linesIn } from "./obj_lines.mjs";
 import { ask, browser, server, sphere, SPHERE } from "./setup.mjs";
 
 /** Keeps the path to a place; its length is what the cursor shows there before. */
@@ -19,15 +20,7 @@ async function keep(viewer, x, y) {
 
 const lengths = async (viewer) => (await viewer.page.locator("#paths li").allTextContents()).map(parseFloat);
 
-/** The lengths of the lines of an OBJ file. */
-function lengthsIn(obj) {
-  const rows = (kind) => [...obj.matchAll(new RegExp(`^${kind} (.*)$`, "gm"))].map(([, row]) => row.split(" ").map(Number));
-  const points = rows("v");
-  return rows("l").map((line) => line.slice(1).reduce((sum, point, i) => {
-    const [a, b] = [points[line[i] - 1], points[point - 1]];
-    return sum + Math.hypot(...a.map((x, k) => x - b[k]));
-  }, 0));
-}
+const savedLengths = async (viewer) => linesIn((await viewer.save("#save-paths")).bytes.toString()).map(lengthOf);
 
 function assertNear(actual, expected, error) {
   assert.equal(actual.length, expected.length);
@@ -52,7 +45,7 @@ test("kept paths stay when sources are others; they are in the link and in what 
   assertNear(await lengths(viewer), expected, 1e-6);
   expected.push(await keep(viewer, 0.3, -0.5));
   assertNear(await lengths(viewer), expected, 1e-6);
-  assertNear(lengthsIn((await viewer.save("#save-paths")).bytes.toString()), expected, 1e-6);
+  assertNear(await savedLengths(viewer), expected, 1e-6);
 
   // Each is asked from its own source.
   await viewer.page.locator("#copy-command").evaluate((button) => button.click());
@@ -68,7 +61,7 @@ test("kept paths stay when sources are others; they are in the link and in what 
 
   await viewer.page.click("#paths li >> nth=0 >> button");
   assertNear(await lengths(viewer), expected.slice(1), 1e-6);
-  assertNear(lengthsIn((await viewer.save("#save-paths")).bytes.toString()), expected.slice(1), 1e-6);
+  assertNear(await savedLengths(viewer), expected.slice(1), 1e-6);
   // Without a source they are there, too.
   await viewer.page.keyboard.press("Control+z");
   for (const button of ["#paths li >> nth=1 >> button", "#paths li >> nth=0 >> button"]) await viewer.page.click(button);

@@ -35,6 +35,18 @@ export function sphereObj(n, radius = () => 1) {
   return [...lines, ...faces, ""].join("\n");
 }
 
+/** A grid of 2 * n by 2 * n squares in OBJ, each cut in two; the plane is from -width to width and from -height to height. */
+export function planeObj(n, width, height) {
+  const lines = [];
+  const count = 2 * n + 1;
+  for (let j = 0; j < count; j++) for (let i = 0; i < count; i++) lines.push(`v ${(width * (i - n)) / n} ${(height * (j - n)) / n} 0`);
+  for (let j = 0; j + 1 < count; j++) for (let i = 0; i + 1 < count; i++) {
+    const corner = j * count + i + 1;
+    lines.push(`f ${corner} ${corner + 1} ${corner + count + 1}`, `f ${corner} ${corner + count + 1} ${corner + count}`);
+  }
+  return [...lines, ""].join("\n");
+}
+
 /** Two squares that do not touch, side by side, in OFF. */
 export const TWO_SQUARES = `OFF
 8 4 0

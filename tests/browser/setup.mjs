@@ -24,18 +24,23 @@ after(async () => {
 });
 
 /** A page that shows the sphere. */
-export async function sphere(t, options) {
+export function sphere(t, options) {
+  return shows(t, "sphere.obj", SPHERE, options);
+}
+
+/** A page that shows a mesh. */
+export async function shows(t, name, mesh, options) {
   const viewer = await openPage(browser, server.url, options);
   t.after(() => viewer.close());
-  await viewer.drop("sphere.obj", SPHERE);
-  await viewer.shown("sphere.obj");
+  await viewer.drop(name, mesh);
+  await viewer.shown(name);
   return viewer;
 }
 
 /** What the command says of a question that the page wrote down. */
-export function ask(server, t, mesh, commandLine) {
+export function ask(server, t, mesh, commandLine, name = "sphere.obj") {
   const folder = temporaryFolder(t);
-  writeFileSync(join(folder, "sphere.obj"), mesh);
+  writeFileSync(join(folder, name), mesh);
   const [, command, ...words] = commandLine.split(" ");
   return JSON.parse(execFileSync(
     process.env.GEODESIC,

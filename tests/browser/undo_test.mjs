@@ -7,13 +7,6 @@ import { TWO_SQUARES } from "./meshes.mjs";
 import { until } from "./server.mjs";
 import { sphere, SPHERE } from "./setup.mjs";
 
-/** Presses the mouse and moves it by steps from one place to another. */
-async function drag(viewer, [x, y], [toX, toY]) {
-  await viewer.move(x, y);
-  await viewer.page.mouse.down();
-  for (let i = 1; i <= 8; i++) await viewer.move(x + ((toX - x) * i) / 8, y + ((toY - y) * i) / 8);
-}
-
 const isChecked = (viewer, tool) => viewer.page.locator(`input[value=${tool}]`).isChecked();
 
 test("Esc ends what is under way, and takes nothing away", async (t) => {
@@ -25,7 +18,7 @@ test("Esc ends what is under way, and takes nothing away", async (t) => {
   const address = await viewer.address();
   const addressIs = (wanted) => until(() => (viewer.page.url() === address) === wanted);
 
-  await drag(viewer, [0, 0], [0.3, 0]);
+  await viewer.drag([0, 0], [0.3, 0]);
   await addressIs(false);
   await viewer.page.keyboard.press("Escape");
   await addressIs(true);
@@ -36,7 +29,7 @@ test("Esc ends what is under way, and takes nothing away", async (t) => {
   assert.equal(await viewer.address(), address, "the source is back");
 
   await viewer.page.keyboard.press("c");
-  await drag(viewer, [-0.4, 0.3], [0.4, 0.3]);
+  await viewer.drag([-0.4, 0.3], [0.4, 0.3]);
   await viewer.page.keyboard.press("Escape");
   await viewer.page.mouse.up();
   assert.ok(await isChecked(viewer, "curve"), "the curve alone has ended");
@@ -48,6 +41,18 @@ test("Esc ends what is under way, and takes nothing away", async (t) => {
   await viewer.page.waitForSelector("#aim", { state: "hidden" });
   assert.equal(await viewer.address(), address);
   assert.equal(await viewer.page.locator("#paths li").count(), 1);
+
+  // A drag that has come to its end is not under way.
+  await viewer.drag([0, 0], [0.2, 0]);
+  await viewer.page.mouse.up();
+  await viewer.solved();
+  const moved = await viewer.address();
+  assert.notEqual(moved, address);
+  await viewer.page.keyboard.press("c");
+  await viewer.drag([-0.4, 0.3], [0.4, 0.3]);
+  await viewer.page.keyboard.press("Escape");
+  await viewer.page.mouse.up();
+  assert.equal(await viewer.address(), moved, "the curve alone has ended");
   assert.deepEqual(viewer.errors, []);
 });
 
@@ -72,13 +77,13 @@ test("sources, curves, paths and the radius are undone and done again, one by on
   });
   await step(async () => {
     await page.keyboard.down("Alt");
-    await drag(viewer, [-0.3, 0.5], [0.3, 0.5]);
+    await viewer.drag([-0.3, 0.5], [0.3, 0.5]);
     await page.mouse.up();
     await page.keyboard.up("Alt");
   });
   await viewer.solved();
   // However many places it comes through.
-  await drag(viewer, [0, 0], [0.1, -0.3]);
+  await viewer.drag([0, 0], [0.1, -0.3]);
   await page.mouse.up();
   await viewer.solved();
   addresses.push(await address());

@@ -2,7 +2,7 @@
 // sources, paths and radius are shown, so that the address can be kept or passed on.
 
 import type { Explorer } from "./explorer";
-import type { PathEnds } from "./placed";
+import { lineText, parseLine, type LineQuestion } from "./surface/line_question";
 import type { SurfaceMesh } from "./surface/mesh";
 import { parseSource, sourceText, type Source } from "./surface/place";
 
@@ -63,17 +63,15 @@ export class Address {
   }
 
   /** What the address asked, once, if it named this mesh. */
-  questionOn(mesh: SurfaceMesh): { sources: Source[]; paths: PathEnds[]; radius?: number } {
+  questionOn(mesh: SurfaceMesh): { sources: Source[]; paths: LineQuestion[]; radius?: number } {
     if (mesh.digest !== this.mesh) return { sources: [], paths: [] };
     const holds = (source: Source | undefined) => source !== undefined && mesh.holdsSource(source);
     const named = this.sources.splice(0);
     const sources = named.map(parseSource).filter(holds) as Source[];
     if (sources.length < named.length) this.wrong("The address names a source that is no place of this mesh.");
     const namedPaths = this.paths.splice(0);
-    const paths = namedPaths.map(parseSource).filter(holds).flatMap((ends) => {
-      return ends && "curve" in ends && ends.curve.length === 2 ? [{ from: ends.curve[0], target: ends.curve[1] }] : [];
-    });
-    if (paths.length < namedPaths.length) this.wrong("The address names a path whose ends are no two places of this mesh.");
+    const paths = namedPaths.map(parseLine).filter((line) => line !== undefined && mesh.holdsLine(line)) as LineQuestion[];
+    if (paths.length < namedPaths.length) this.wrong("The address names a path that is none of this mesh.");
     const radius = this.radius === null ? undefined : parseFloat(this.radius);
     this.radius = null;
     if (radius === undefined || (Number.isFinite(radius) && radius >= 0)) return { sources, paths, radius };
@@ -85,8 +83,7 @@ export class Address {
     if (!mesh) return;
     const parts = new URLSearchParams({ mesh: mesh.digest });
     for (const source of sources) parts.append("source", sourceText(source));
-    // As a curve of two places is written.
-    for (const { from, target } of [...paths, ...awaitedPaths]) parts.append("path", sourceText({ curve: [from, target] }));
+    for (const line of [...paths.map(({ question }) => question), ...awaitedPaths]) parts.append("path", lineText(line));
     if (radius !== undefined) parts.set("radius", String(radius));
     // The browser's Back leads to the mesh before, with all that was asked about it.
     if (this.shown !== undefined && this.shown !== mesh.digest) {

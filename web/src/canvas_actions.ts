@@ -34,14 +34,20 @@ export interface WiredCanvas {
   changed(): void;
 }
 
+/** What a drag does that begins at a source. */
+interface Held {
+  drag(place: Place, since: number): void;
+  drop(): void;
+  /** Takes back what the drag has done. */
+  cancel(): void;
+}
+
 export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): WiredCanvas {
   const canvas = byId<HTMLCanvasElement>("picture");
   let picker: Picker | undefined;
   let sketch: { place: Place; point: Vector3 }[] = [];
   let lastDrawn = { x: 0, y: 0 };
-  let grabbed = -1;
-  /** The drag that moves a source, told apart from others. */
-  let drag = {};
+  let held: Held | undefined;
   let cursor: ScreenPoint | undefined;
   const aim = new Aim();
   // What there was when the place under the cursor was looked for.
@@ -89,6 +95,32 @@ export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): Wire
     if (explorer.sources.length === 1 && panel.tool === "source") panel.choose("path");
   };
 
+  const moving = (number: number): Held => {
+    // Told apart from other drags.
+    const gesture = {};
+    return {
+      drag: (place) => explorer.moveSource(number, place, gesture),
+      drop: () => explorer.dropSource(),
+      cancel: () => explorer.cancel(gesture),
+    };
+  };
+
+  const straightFrom = (number: number): Held | undefined => {
+    const from = explorer.sources[number];
+    if (explorer.straightLength === undefined || "curve" in from) return undefined;
+    let last: Place | undefined;
+    return {
+      drag: (place, since) => {
+        last = place;
+        explorer.leadStraight(from, place, since);
+      },
+      drop: () => {
+        if (last) void explorer.keepStraight(from, last);
+      },
+      cancel: () => explorer.hover(undefined, 0),
+    };
+  };
+
   const pointer = listenToPointer(canvas, {
     move: (at) => {
       aim.hide();
@@ -105,17 +137,20 @@ export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): Wire
     },
     drawsCurve: (alt) => {
       sketch = [];
+      held = undefined;
       return explorer.mesh !== undefined && (alt || panel.tool === "curve");
     },
     grabs: (at) => {
-      drag = {};
-      return (grabbed = sourceAt(at)) >= 0;
+      const number = sourceAt(at);
+      held = number < 0 ? undefined : panel.tool === "straight" ? straightFrom(number) : moving(number);
+      return held !== undefined;
     },
     drag: (at) => {
       const place = pick(at)?.place;
-      if (place) explorer.moveSource(grabbed, place, drag);
+      if (place) held?.drag(place, at.since);
+      panel.pointer(at);
     },
-    dropped: () => explorer.dropSource(),
+    dropped: () => held?.drop(),
     draw: (at) => {
       if (sketch.length && Math.hypot(at.x - lastDrawn.x, at.y - lastDrawn.y) < CURVE_PIXELS) return;
       const hit = pick(at);
@@ -145,7 +180,7 @@ export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): Wire
     if (pointer.cancel()) {
       sketch = [];
       explorer.drawSketch([]);
-      explorer.cancel(drag);
+      held?.cancel();
       return;
     }
     if (aim.point) {
@@ -153,7 +188,7 @@ export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): Wire
       cursor = undefined;
       explorer.hover(undefined, 0);
     }
-    if (panel.tool === "curve") panel.chooseNext();
+    if (panel.tool === "curve" || panel.tool === "straight") panel.chooseNext();
   };
   const keys: Record<string, () => void> = {
     ArrowLeft: () => scene.turn(TURN_RADIANS, 0, 1),
@@ -167,6 +202,7 @@ export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): Wire
     s: () => panel.choose("source"),
     p: () => panel.choose("path"),
     c: () => panel.choose("curve"),
+    d: () => panel.choose("straight"),
     i: () => panel.toggleIsolines(),
     t: () => panel.toggleTheme(),
     l: () => scene.lookAtAll(),
@@ -203,7 +239,7 @@ export function wireCanvas(scene: Scene, explorer: Explorer, panel: Panel): Wire
       clearTimeout(rest);
       rest = setTimeout(() => {
         // A field that is on its way will be told of when it is there.
-        if (cursor && !explorer.isWaiting) hover(cursor, performance.now());
+        if (cursor && !explorer.fields.isWaiting) hover(cursor, performance.now());
       }, REST_MS);
     },
   };

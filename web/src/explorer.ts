@@ -2,114 +2,89 @@
 // the questions and draws the answers.
 
 import { Vector3 } from "three";
-import { Algorithm } from "../generated/geodesic/v1/query_pb";
+import type { Algorithm } from "../generated/geodesic/v1/query_pb";
+import { Fields } from "./fields";
 import { History } from "./history";
-import { areSame, isNothing, keptPath, NOTHING, type KeptPath, type PathEnds, type Placed, type Sample } from "./placed";
-import { CursorPath } from "./scene/cursor_path";
-import { FieldView } from "./scene/field_view";
-import { CURVE_COLOR, Marks, onScreen } from "./scene/marks";
+import { Lines } from "./lines";
+import { areSame, isNothing, NOTHING, type Placed, type Sample } from "./placed";
+import type { FieldView } from "./scene/field_view";
+import { CURVE_COLOR, endOnScreen, Marks, onScreen } from "./scene/marks";
 import { PathLine } from "./scene/path_line";
 import type { Scene } from "./scene/scene";
+import { Asking, type AskingEvents } from "./service/asking";
 import type { Connection } from "./service/connection";
-import { askRestoring } from "./service/ask_restoring";
-import { kindOf } from "./service/errors";
-import { NewestOnly } from "./service/newest_only";
-import {
-  askCells,
-  askCurve,
-  askDistances,
-  askField,
-  askPath,
-  askSamples,
-  type FieldQuestion,
-  type FieldSummary,
-} from "./service/questions";
-import { differenceOf, type Difference } from "./surface/difference";
-import { PREVIEW_TOLERANCE, takesPreview } from "./surface/preview";
+import { askCurve, type PathQuestion, type SurfaceLine } from "./service/lines";
+import { askSamples, type FieldSummary } from "./service/questions";
+import type { Difference } from "./surface/difference";
+import type { LineQuestion, StraightLine } from "./surface/line_question";
 import type { SurfaceMesh } from "./surface/mesh";
 import type { Place, Source } from "./surface/place";
 
-/** The exact field is asked for when what comes first has been swept over, or so much later. */
-const LONGEST_SWEEP_MS = 1500;
-
-/** Fields are worth waiting for, even if the source has moved on. */
-const FIELD_PATIENCE_MS = 2000;
-
-export interface ExplorerEvents {
+export interface ExplorerEvents extends AskingEvents {
   /** Sources, field, paths or samples are others now. */
   changed(): void;
   /** The distance under the cursor; exact once its path has come. */
   value(distance: number | undefined, exact: boolean): void;
-  /** A question failed; `again` asks it anew, if it still matters by then. */
-  failed(error: unknown, again: () => void): void;
   /** What was asked for has no answer, or another one: why, in words. */
   told(what: string): void;
-  /** The server has lost the mesh: whether it has it again. */
-  lost(mesh: SurfaceMesh): Promise<boolean>;
 }
 
 export class Explorer {
   mesh: SurfaceMesh | undefined;
-  field: FieldView | undefined;
-  summary: FieldSummary | undefined;
-  algorithm = Algorithm.UNSPECIFIED;
-  /** The algorithm whose field the difference is from. */
-  against = Algorithm.UNSPECIFIED;
-  /** Whose distances the field has, or will have. */
-  fieldSources: readonly Source[] = [];
-  /** Whether cells are wanted where there are several sources. */
-  wantsCells = false;
-  /** Paths that an address named and that have not come. */
-  awaitedPaths: readonly PathEnds[] = [];
+  readonly fields: Fields;
 
   private placed = NOTHING;
   private readonly history = new History<Placed>();
-  /** Up to where distances are there, or on their way. */
-  private reach = Infinity;
-  private readonly live: CursorPath;
+  private readonly asking: Asking;
+  private readonly lines: Lines;
   private readonly sketch: PathLine;
   private readonly marks: Marks;
-  private readonly dragged = new NewestOnly(FIELD_PATIENCE_MS);
-  private fieldQuestion = new AbortController();
-  /** Of what is asked about the mesh, whatever the sources. */
-  private meshQuestions = new AbortController();
-  private waiting = false;
-  private swept: (() => void) | undefined;
-  private readonly still = matchMedia("(prefers-reduced-motion: reduce)");
 
   constructor(
     private readonly scene: Scene,
-    private readonly connection: Connection,
+    connection: Connection,
     private readonly events: ExplorerEvents,
   ) {
-    this.live = new CursorPath(scene, {
-      ask: (mesh, target, signal) => {
-        const question = { ...this.question(mesh), radius: undefined };
-        return this.answerTo(mesh, () => askPath(this.connection, question, target, signal));
+    this.asking = new Asking(connection, events);
+    this.fields = new Fields(scene, this.asking, () => this.placed, {
+      changed: () => events.changed(),
+      repainted: () => {
+        this.drawMarks();
+        events.changed();
+        scene.redrawSurface();
       },
-      value: (distance) => events.value(distance, true),
-      failed: (error, again) => this.report(error, again),
+      left: () => this.hideLive(),
+    });
+    this.lines = new Lines(scene, this.asking, {
+      value: (length) => events.value(length, true),
+      told: (what) => events.told(what),
+      kept: (line) => void this.change(this.withPath(line)),
+      came: (line) => void this.put(this.withPath(line)),
     });
     this.sketch = new PathLine(CURVE_COLOR, 3, scene.resolution);
     scene.overlay.add(this.sketch);
     this.marks = new Marks(scene);
-    scene.onFrame = (now) => {
-      const moved = this.field?.advance(now, this.still.matches) ?? false;
-      if (this.field?.hasSwept) this.swept?.();
-      document.documentElement.dataset.sweep = this.field?.hasArrived ? "done" : this.field?.hasSwept ? "preview" : "";
-      return moved;
-    };
-    scene.isWaiting = () => this.waiting && !this.swept;
-    // Until the whole field is there and swept, or could not be had.
-    scene.isBusy = () => this.waiting || (this.summary !== undefined && this.field?.hasArrived === false);
+  }
+
+  get field(): FieldView | undefined {
+    return this.fields.shown;
+  }
+
+  get summary(): FieldSummary | undefined {
+    return this.fields.summary;
   }
 
   get sources(): readonly Source[] {
     return this.placed.sources;
   }
 
-  get paths(): readonly KeptPath[] {
+  get paths(): readonly SurfaceLine[] {
     return this.placed.paths;
+  }
+
+  /** Paths that an address named and that have not come. */
+  get awaitedPaths(): readonly LineQuestion[] {
+    return this.lines.awaited;
   }
 
   get samples(): readonly Sample[] {
@@ -133,33 +108,27 @@ export class Explorer {
     return this.history.canRedo;
   }
 
-  /** Whether an exact field is on its way. */
-  get isWaiting(): boolean {
-    return this.waiting;
-  }
-
   /** The field of the sources as they are, once it is there and exact. */
   get exactField(): FieldView | undefined {
-    return this.summary && areSame(this.sources, this.fieldSources) ? this.field : undefined;
+    return this.summary && areSame(this.sources, this.fields.sources) ? this.field : undefined;
   }
 
   /** Shows a mesh. What was placed on it stays if it is the one that is shown. */
   show(mesh: SurfaceMesh): void {
     const kept = mesh.digest === this.mesh?.digest ? this.placed : undefined;
-    this.meshQuestions.abort();
-    this.meshQuestions = new AbortController();
+    this.asking.show(mesh);
     this.mesh?.dispose();
     this.mesh = mesh;
     if (!kept) this.history.clear();
     this.placed = NOTHING;
-    this.awaitedPaths = [];
-    this.takeFieldAway();
+    this.lines.awaited = [];
+    this.fields.takeAway(this.mesh);
     this.showRadius(mesh);
     this.scene.show(mesh);
-    this.live.warmUp();
+    this.lines.warmUp();
     this.marks.warmUp();
     this.scene.draw();
-    this.live.hide();
+    this.lines.hide();
     void this.put(kept ?? NOTHING);
   }
 
@@ -200,11 +169,11 @@ export class Explorer {
    * What an address asks takes the place of what there is; its paths come one by
    * one. It can be undone if `isChange`: if the mesh was shown before.
    */
-  async ask(sources: readonly Source[], paths: readonly PathEnds[], radius: number | undefined, isChange: boolean): Promise<void> {
+  async ask(sources: readonly Source[], paths: readonly LineQuestion[], radius: number | undefined, isChange: boolean): Promise<void> {
     const placed = { ...NOTHING, sources, radius };
-    this.awaitedPaths = paths;
+    this.lines.awaited = paths;
     void (isChange ? this.change(placed) : this.put(placed));
-    await this.fetchPaths(this.meshQuestions.signal);
+    if (this.mesh) await this.lines.fetch(this.mesh, this.fields.algorithm);
   }
 
   /** Puts a source elsewhere while it is dragged by one gesture; the field follows. */
@@ -212,115 +181,20 @@ export class Explorer {
     const { mesh } = this;
     if (!mesh) return;
     this.history.record(this.placed, gesture);
-    this.fieldQuestion.abort();
-    this.fieldQuestion = new AbortController();
-    this.waiting = false;
-    this.hideLive();
     this.placed = { ...this.placed, sources: this.sources.map((source, i) => (i === number ? place : source)), samples: [] };
     this.drawMarks();
     this.scene.redraw();
-    this.dragged.ask((signal) => this.follow(mesh, signal));
+    this.fields.follow(mesh);
+  }
+
+  /** Asks for the field again, as after a change of radius or method. */
+  async askField(): Promise<void> {
+    if (this.mesh) await this.fields.ask(this.mesh);
   }
 
   /** The source is where it was dragged to, whether its field has come or not. */
   dropSource(): void {
     this.events.changed();
-  }
-
-  /** Asks for the field again, as after a change of radius or method. */
-  async askField(): Promise<void> {
-    const { mesh } = this;
-    if (!mesh || !this.sources.length) return;
-    this.fieldQuestion.abort();
-    this.dragged.stop();
-    this.hideLive();
-    const abort = (this.fieldQuestion = new AbortController());
-    const wasBare = !this.field;
-    const field = this.beginField(mesh, this.sources);
-    document.documentElement.dataset.sweep = "";
-    this.summary = undefined;
-    this.waiting = true;
-    this.events.changed();
-    if (wasBare) this.scene.redraw();
-    else this.scene.redrawSurface();
-    const question = this.newQuestion(mesh);
-    try {
-      // Not both at once: they would share the server's processors.
-      if (takesPreview(mesh, question)) await this.preview(question, field, abort.signal);
-      const summary = await this.answerTo(mesh, () => askField(this.connection, question, (part) => {
-        field.add(part.vertices, part.distances);
-        if (!field.isPreview) this.scene.redrawSurface();
-      }, abort.signal));
-      if (abort.signal.aborted) return;
-      this.answer(summary, question);
-      field.finish();
-      if (this.showsCells) void this.paintCells(mesh, field);
-    } catch (error) {
-      this.report(error, () => {
-        if (abort === this.fieldQuestion) void this.askField();
-      });
-    } finally {
-      if (abort === this.fieldQuestion) this.waiting = false;
-      this.events.changed();
-      this.scene.redrawSurface();
-    }
-  }
-
-  // Shows the field nearly right.
-  private async preview(question: FieldQuestion, field: FieldView, signal: AbortSignal): Promise<void> {
-    try {
-      const { distances } = await askDistances(
-        this.connection, { ...question, tolerance: PREVIEW_TOLERANCE }, signal);
-      if (signal.aborted) return;
-      field.showPreview(distances);
-      this.events.changed();
-      this.scene.redrawSurface();
-      await this.sweep();
-    } catch {
-      // The exact field tells what is wrong.
-    }
-  }
-
-  // Waits until the front has come to the end. What is asked for before then would
-  // share the processors with the picture, if the server is on this machine.
-  private async sweep(): Promise<void> {
-    let swept: (() => void) | undefined;
-    await new Promise<void>((resolve) => {
-      this.swept = swept = resolve;
-      setTimeout(resolve, LONGEST_SWEEP_MS);
-    });
-    // Another field may be waited for by now.
-    if (this.swept === swept) this.swept = undefined;
-  }
-
-  /** Whether the cells of several sources are shown, or on their way. */
-  get showsCells(): boolean {
-    return this.wantsCells && this.sources.length > 1;
-  }
-
-  /** Shows cells by colour, also of the sources that come, or distances again. */
-  showCells(wanted: boolean): void {
-    const { mesh, field } = this;
-    this.wantsCells = wanted;
-    if (!mesh || !field) return;
-    if (this.showsCells) {
-      void this.paintCells(mesh, field);
-    } else {
-      field.paintDistances();
-      this.repainted();
-    }
-  }
-
-  private async paintCells(mesh: SurfaceMesh, field: FieldView): Promise<void> {
-    try {
-      const { signal } = this.fieldQuestion;
-      const cells = await this.answerTo(mesh, () => askCells(this.connection, this.question(mesh), signal));
-      if (field !== this.field || !this.showsCells) return;
-      field.paintCells(cells);
-      this.repainted();
-    } catch (error) {
-      this.reportAbout(mesh, error, () => this.paintCells(mesh, field));
-    }
   }
 
   /**
@@ -332,19 +206,9 @@ export class Explorer {
     if (!mesh || !this.summary) return undefined;
     try {
       if (isApproximate) await this.moveToVertices(mesh);
-      const { field } = this;
-      const question = { ...this.question(mesh), algorithm };
-      const { signal } = this.fieldQuestion;
-      const { distances } = await this.answerTo(mesh, () => askDistances(this.connection, question, signal));
-      if (!field || field !== this.field) return undefined;
-      const difference = differenceOf(field.distances, distances);
-      this.wantsCells = false;
-      this.against = algorithm;
-      field.paintDifference(difference);
-      this.repainted();
-      return difference;
+      return await this.fields.compare(mesh, algorithm);
     } catch (error) {
-      this.report(error, () => undefined);
+      this.asking.report(error, () => undefined);
       return undefined;
     }
   }
@@ -364,27 +228,34 @@ export class Explorer {
       this.events.value(Infinity, true);
       return;
     }
-    this.live.lead(mesh, place, since);
+    this.lines.lead(mesh, this.pathTo(place), since);
   }
 
   /** Keeps the path to `place`. */
   async keepPath(place: Place): Promise<void> {
-    const { mesh } = this;
-    if (!mesh || !this.sources.length) return;
-    const question = this.question(mesh);
-    const { signal } = this.meshQuestions;
-    try {
-      const path = await this.answerTo(mesh, () => askPath(this.connection, question, place, signal));
-      if (mesh !== this.mesh) return;
-      if (!path) this.events.told("No path leads there.");
-      // The second click of two leads from the source to itself.
-      else if (path.length > 0) void this.change(this.withPath(keptPath(path, question.sources, place)));
-    } catch (error) {
-      this.reportAbout(mesh, error, () => this.keepPath(place));
-    }
+    if (this.mesh && this.sources.length) await this.lines.keep(this.mesh, this.pathTo(place));
   }
 
-  removePath(path: KeptPath): void {
+  /** How long lines are that run straight on; nothing without a field, or if it is 0. */
+  get straightLength(): number | undefined {
+    const largest = this.exactField?.largest;
+    return (largest && (this.radius ?? largest)) || undefined;
+  }
+
+  /** Leads a line straight on from a source, in the direction of `place`. */
+  leadStraight(from: Place, place: Place, since: number): void {
+    const line = this.straightLine(from, place);
+    if (this.mesh && line) this.lines.lead(this.mesh, line, since);
+  }
+
+  /** Keeps the line that `leadStraight` draws. */
+  async keepStraight(from: Place, place: Place): Promise<void> {
+    const line = this.straightLine(from, place);
+    this.hideLive();
+    if (this.mesh && line) await this.lines.keep(this.mesh, line);
+  }
+
+  removePath(path: SurfaceLine): void {
     void this.change({ ...this.placed, paths: this.paths.filter((kept) => kept !== path) });
   }
 
@@ -407,24 +278,24 @@ export class Explorer {
     this.drawSketch([]);
     if (!mesh || places.length < 2) return;
     try {
-      const { signal } = this.meshQuestions;
-      const curve = await this.answerTo(mesh, () => askCurve(this.connection, mesh.digest, places, signal));
+      const { signal } = this.asking;
+      const curve = await this.asking.answerTo(mesh, () => askCurve(this.asking.connection, mesh.digest, places, signal));
       if (mesh !== this.mesh) return;
       await this.setSources([...(alone ? [] : this.sources), { curve }]);
     } catch (error) {
-      this.reportAbout(mesh, error, () => this.addCurve(places, alone));
+      this.asking.reportAbout(mesh, error, () => this.addCurve(places, alone));
     }
   }
 
   async sample(count: number): Promise<void> {
     const { mesh } = this;
     if (!mesh || !this.sources.length) return;
-    const { signal } = this.fieldQuestion;
+    const { signal } = this.fields;
     try {
-      const samples = await this.answerTo(mesh, () => askSamples(this.connection, this.question(mesh), count, signal));
+      const samples = await this.asking.answerTo(mesh, () => askSamples(this.asking.connection, this.fields.question(mesh), count, signal));
       void this.change({ ...this.placed, samples });
     } catch (error) {
-      this.reportAbout(mesh, error, () => this.sample(count));
+      this.asking.reportAbout(mesh, error, () => this.sample(count));
     }
   }
 
@@ -448,9 +319,9 @@ export class Explorer {
     const { sources, radius, field } = this;
     this.placed = placed;
     if (this.mesh) this.showRadius(this.mesh);
-    if (!placed.sources.length) this.takeFieldAway();
+    if (!placed.sources.length) this.fields.takeAway(this.mesh);
     this.drawMarks();
-    if (placed.sources.length && (!areSame(sources, placed.sources) || (placed.radius ?? Infinity) > this.reach)) {
+    if (placed.sources.length && (!areSame(sources, placed.sources) || !this.fields.reaches(placed.radius))) {
       return this.askField();
     }
     this.events.changed();
@@ -458,44 +329,13 @@ export class Explorer {
     else this.scene.redrawSurface();
   }
 
-  private takeFieldAway(): void {
-    this.fieldQuestion.abort();
-    this.dragged.stop();
-    this.hideLive();
-    this.field = undefined;
-    this.fieldSources = [];
-    this.summary = undefined;
-    this.reach = Infinity;
-    this.waiting = false;
-    if (this.mesh) new FieldView(this.mesh, this.scene.material, new Vector3(), true);
-  }
-
   private showRadius(mesh: SurfaceMesh): void {
     const { radius } = this;
     this.scene.material.uniforms.radius.value = radius === undefined ? 1e10 : radius / mesh.radius;
   }
 
-  private withPath(path: KeptPath): Placed {
+  private withPath(path: SurfaceLine): Placed {
     return { ...this.placed, paths: [...this.paths, path] };
-  }
-
-  // The paths that an address named are no change of what it asked.
-  private async fetchPaths(signal: AbortSignal): Promise<void> {
-    const { mesh } = this;
-    if (!mesh) return;
-    try {
-      for (let next = this.awaitedPaths[0]; next && !signal.aborted; next = this.awaitedPaths[0]) {
-        const { from, target } = next;
-        const question = { digest: mesh.digest, sources: [from], algorithm: this.algorithm };
-        const path = await this.answerTo(mesh, () => askPath(this.connection, question, target, signal));
-        if (next !== this.awaitedPaths[0]) continue;
-        this.awaitedPaths = this.awaitedPaths.slice(1);
-        if (path) await this.put(this.withPath(keptPath(path, [from], target)));
-        else this.events.told("The address names a path between places that nothing connects.");
-      }
-    } catch (error) {
-      this.reportAbout(mesh, error, () => this.fetchPaths(signal));
-    }
   }
 
   private async moveToVertices(mesh: SurfaceMesh): Promise<void> {
@@ -508,57 +348,19 @@ export class Explorer {
     await this.setSources(places.map((place) => ({ kind: "vertex", vertex: mesh.nearestCorner(place) })));
   }
 
-  private repainted(): void {
-    this.drawMarks();
-    this.events.changed();
-    this.scene.redrawSurface();
+  private pathTo(target: Place): PathQuestion {
+    return { sources: this.sources, target, algorithm: this.fields.algorithm };
   }
 
-  private question(mesh: SurfaceMesh): FieldQuestion {
-    return { digest: mesh.digest, sources: this.sources, algorithm: this.algorithm, radius: this.radius };
-  }
-
-  // The question about a field that takes the place of the one there is.
-  private newQuestion(mesh: SurfaceMesh): FieldQuestion {
-    this.reach = this.radius ?? Infinity;
-    return this.question(mesh);
-  }
-
-  // Of a field that the server has further than the question the rest does not come.
-  private answer(summary: FieldSummary, { radius }: FieldQuestion): void {
-    this.reach = Math.min(summary.settledRadius, radius ?? Infinity);
-    this.summary = { ...summary, settledRadius: this.reach };
-  }
-
-  // Shows the field of the sources as they are, all at once.
-  private async follow(mesh: SurfaceMesh, signal: AbortSignal): Promise<void> {
-    const { sources } = this;
-    try {
-      const question = this.newQuestion(mesh);
-      const { distances, summary } = await this.answerTo(mesh, () => askDistances(this.connection, question, signal));
-      if (mesh !== this.mesh || signal.aborted) return;
-      const field = this.beginField(mesh, sources);
-      field.setAll(distances);
-      this.answer(summary, question);
-      this.events.changed();
-      this.scene.redrawSurface();
-      if (this.showsCells) await this.paintCells(mesh, field);
-    } catch (error) {
-      this.reportAbout(mesh, error, () => this.askField());
-    }
-  }
-
-  private beginField(mesh: SurfaceMesh, sources: readonly Source[]): FieldView {
-    const [first] = sources;
-    const place = "curve" in first ? first.curve[0] : first;
-    const reference = onScreen(mesh, place);
-    const allPoints = sources.every((source) => !("curve" in source));
-    this.fieldSources = sources;
-    return (this.field = new FieldView(mesh, this.scene.material, reference, allPoints));
+  private straightLine(from: Place, towards: Place): StraightLine | undefined {
+    const { mesh, straightLength } = this;
+    if (!mesh || straightLength === undefined) return undefined;
+    const [start, end] = [from, towards].map((place) => mesh.positionOf(place));
+    return { from, direction: [end[0] - start[0], end[1] - start[1], end[2] - start[2]], length: straightLength };
   }
 
   private hideLive(): void {
-    this.live.hide();
+    this.lines.hide();
     this.events.value(undefined, false);
   }
 
@@ -575,22 +377,6 @@ export class Explorer {
   /** Where kept paths end, on the screen's scale, and how long they are. */
   pathEnds(): { point: Vector3; length: number }[] {
     const { mesh } = this;
-    if (!mesh) return [];
-    return this.paths.map(({ target, length }) => ({ point: onScreen(mesh, target), length }));
-  }
-
-  private answerTo<T>(mesh: SurfaceMesh, question: () => Promise<T>): Promise<T> {
-    return askRestoring(question, () => this.events.lost(mesh));
-  }
-
-  // The work is done again only while the mesh is shown.
-  private reportAbout(mesh: SurfaceMesh, error: unknown, work: () => Promise<void>): void {
-    this.report(error, () => {
-      if (mesh === this.mesh) void work();
-    });
-  }
-
-  private report(error: unknown, again: () => void): void {
-    if (kindOf(error) !== "cancelled") this.events.failed(error, again);
+    return mesh ? this.paths.map((path) => ({ point: endOnScreen(mesh, path), length: path.length })) : [];
   }
 }

@@ -1,15 +1,7 @@
 // What the user has put on the mesh, which can be gone back to.
 
-import type { SurfacePath } from "./service/questions";
+import type { SurfaceLine } from "./service/lines";
 import { sourceText, type Place, type Source } from "./surface/place";
-
-/** A shortest path of its own: it stays when the sources are others. */
-export interface KeptPath extends SurfacePath, PathEnds {}
-
-export interface PathEnds {
-  from: Place;
-  target: Place;
-}
 
 export interface Sample {
   vertex: number;
@@ -18,7 +10,8 @@ export interface Sample {
 
 export interface Placed {
   readonly sources: readonly Source[];
-  readonly paths: readonly KeptPath[];
+  /** Shortest paths and lines that run straight on; they stay when the sources are others. */
+  readonly paths: readonly SurfaceLine[];
   /** Those of the sources. */
   readonly samples: readonly Sample[];
   /** In the unit of the file; nothing for all. */
@@ -33,12 +26,6 @@ export function isNothing({ sources, paths, samples, radius }: Placed): boolean 
 
 export function areSame(a: readonly Source[], b: readonly Source[]): boolean {
   return a.length === b.length && a.every((source, i) => source === b[i]);
-}
-
-/** The path that answers a question about these sources, with its own. */
-export function keptPath(path: SurfacePath, sources: readonly Source[], target: Place): KeptPath {
-  const source = sources[path.source];
-  return { ...path, from: "curve" in source ? path.places[0] : source, target };
 }
 
 /** Whether one of the sources is this place. */

@@ -9,9 +9,9 @@ export interface PointerActions {
   click(at: { x: number; y: number; shift: boolean }): void;
   /** Whether a drag that begins now draws a curve instead of turning the view. */
   drawsCurve(alt: boolean): boolean;
-  /** Whether a drag that begins here moves what is there. */
+  /** Whether a drag that begins here is about what is there. */
   grabs(at: { x: number; y: number }): boolean;
-  drag(at: { x: number; y: number }): void;
+  drag(at: { x: number; y: number; since: number }): void;
   /** The drag has ended. */
   dropped(): void;
   draw(at: { x: number; y: number }): void;
@@ -22,7 +22,7 @@ export interface PointerActions {
 }
 
 export interface PointerListener {
-  /** Ends a drag that draws or moves something, without more; whether there is one. */
+  /** Ends a drag that draws or is about something, without more; whether there is one. */
   cancel(): boolean;
 }
 
@@ -37,6 +37,7 @@ export function listenToPointer(canvas: HTMLCanvasElement, actions: PointerActio
       pointers++;
       if (event.button !== 0 || pointers > 1) {
         if (down?.draws) actions.drawn();
+        else if (down?.grabs && down.moved) actions.dropped();
         down = undefined;
         return;
       }
@@ -57,7 +58,7 @@ export function listenToPointer(canvas: HTMLCanvasElement, actions: PointerActio
     if (down && event.pointerId === down.id) {
       if (Math.hypot(at.x - down.x, at.y - down.y) > CLICK_PIXELS) down.moved = true;
       if (down.draws && down.moved) actions.draw(at);
-      if (down.grabs && down.moved) actions.drag(at);
+      if (down.grabs && down.moved) actions.drag({ ...at, since: event.timeStamp });
       return;
     }
     if (pointers === 0) actions.move({ ...at, since: event.timeStamp });

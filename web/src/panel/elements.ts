@@ -8,3 +8,10 @@ export function byId<T extends HTMLElement = HTMLElement>(id: string): T {
 export function onClick(id: string, action: () => void): void {
   byId(id).addEventListener("click", action);
 }
+
+/** An element that is not on the page yet. */
+export function term(tag: string, text: string): HTMLElement {
+  const element = document.createElement(tag);
+  element.textContent = text;
+  return element;
+}

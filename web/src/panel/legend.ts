@@ -5,6 +5,7 @@ import type { FieldView } from "../scene/field_view";
 import { chooseIsolines } from "../scene/isoline_scale";
 import type { Scene } from "../scene/scene";
 import type { SurfaceMesh } from "../surface/mesh";
+import { isStraight } from "../service/lines";
 import { sourcesWords } from "../surface/place_words";
 import { PREVIEW_WORDS } from "../surface/preview";
 import { byId } from "./elements";
@@ -33,7 +34,10 @@ export class Legend {
   update(): void {
     const { mesh, field, paths } = this.explorer;
     this.lines = mesh && field ? this.describe(mesh, field) : [];
-    if (mesh && paths.length) this.lines.push(`orange: ${countText(paths.length, "exact shortest path")}, with the length`);
+    const straight = paths.filter(isStraight).length;
+    const shortest = paths.length - straight;
+    if (mesh && shortest) this.lines.push(`orange: ${countText(shortest, "exact shortest path")}, with the length`);
+    if (mesh && straight) this.lines.push(`pink: ${countText(straight, "line")} straight on, with the length`);
     this.box.textContent = this.lines.join("\n");
   }
 
@@ -57,8 +61,8 @@ export class Legend {
   }
 
   private describe(mesh: SurfaceMesh, field: FieldView): string[] {
-    const from = sourcesWords(mesh, this.explorer.fieldSources);
-    const method = this.methods.nameOf(this.explorer.algorithm);
+    const from = sourcesWords(mesh, this.explorer.fields.sources);
+    const method = this.methods.nameOf(this.explorer.fields.algorithm);
     const lines: string[] = [];
     switch (field.painted) {
       case "distances":
@@ -83,7 +87,7 @@ export class Legend {
   private describeDifference(mesh: SurfaceMesh, field: FieldView, method: string, from: string): string[] {
     const { difference } = field;
     if (!difference) return [];
-    const { against } = this.explorer;
+    const { against } = this.explorer.fields;
     const other = this.methods.nameOf(against);
     const [low, high] = difference.range.map((value) => formatNumber(value, 3));
     const kind = this.methods.isApproximate(against) ? "approximate" : "exact";

@@ -2,22 +2,22 @@
 // what the user chooses.
 
 import type { Explorer } from "../explorer";
-import { byId, onClick } from "./elements";
+import { byId, onClick, term } from "./elements";
 import { countText, formatCount, formatNumber } from "./format";
 import { Legend } from "./legend";
 import { Methods } from "./methods";
 import type { Notice } from "./notice";
 import type { PathLabels } from "./path_labels";
+import { PathList } from "./path_list";
 import { SavePanel } from "./save_panel";
 import { ScaleBar } from "./scale_bar";
 import type { Theme } from "./theme";
 import type { Scene } from "../scene/scene";
 import type { Connection } from "../service/connection";
 import type { SurfaceMesh } from "../surface/mesh";
-import { placeWords } from "../surface/place_words";
 import { PREVIEW_WORDS } from "../surface/preview";
 
-export type Tool = "source" | "path" | "curve";
+export type Tool = "source" | "path" | "curve" | "straight";
 
 const RADIUS_STEPS = 1000;
 const NO_FIELD = "There is no field yet: click a point of the surface.";
@@ -34,6 +34,7 @@ export class Panel {
   private readonly methods: Methods;
   private readonly legend: Legend;
   private readonly save: SavePanel;
+  private readonly paths: PathList;
 
   constructor(
     private readonly explorer: Explorer,
@@ -44,11 +45,12 @@ export class Panel {
     labels: PathLabels,
   ) {
     this.methods = new Methods((algorithm) => {
-      explorer.algorithm = algorithm;
+      explorer.fields.algorithm = algorithm;
       void explorer.askField();
     });
     this.legend = new Legend(explorer, scene, this.methods);
     this.save = new SavePanel(explorer, scene, notice, labels, this.legend, () => this.algorithmName());
+    this.paths = new PathList((path) => explorer.removePath(path));
     onClick("theme", () => theme.toggle());
     onClick("help", () => this.help());
     onClick("undo", () => this.undo());
@@ -62,7 +64,7 @@ export class Panel {
     });
     onClick("compare", () => void this.compare());
     this.isolines.addEventListener("change", () => this.showIsolines());
-    this.cells.addEventListener("change", () => explorer.showCells(this.cells.checked));
+    this.cells.addEventListener("change", () => explorer.fields.showCells(explorer.mesh, this.cells.checked));
     this.radius.addEventListener("input", () => {
       const share = this.radius.valueAsNumber / RADIUS_STEPS;
       const widest = this.widestRadius();
@@ -98,12 +100,12 @@ export class Panel {
   }
 
   update(): void {
-    const { field, isWaiting, sources, summary, paths, samples } = this.explorer;
+    const { field, fields, sources, summary, paths, samples } = this.explorer;
     this.showSize();
     byId("source-count").textContent = countText(sources.length, "source");
     byId("next-step").textContent = this.nextStep();
     byId("cells-choice").hidden = sources.length < 2;
-    this.cells.checked = this.explorer.showsCells;
+    this.cells.checked = fields.showsCells;
     this.undoButton.disabled = !this.explorer.canUndo;
     this.redoButton.disabled = !this.explorer.canRedo;
     this.clearButton.disabled = this.explorer.isEmpty;
@@ -112,7 +114,7 @@ export class Panel {
     const figures: [string, string][] = [];
     if (field?.isPreview) {
       figures.push([farthest(this.explorer.radius ?? Infinity), `≈ ${formatNumber(field.largest, 4)}`]);
-      figures.push(["for now", PREVIEW_WORDS + (isWaiting ? "; the exact field is on its way" : "")]);
+      figures.push(["for now", PREVIEW_WORDS + (fields.isWaiting ? "; the exact field is on its way" : "")]);
     }
     if (field && summary) {
       figures.push([farthest(summary.settledRadius), formatNumber(field.largest, 10)]);
@@ -120,19 +122,7 @@ export class Panel {
       if (samples.length) figures.push(["samples", formatCount(samples.length)]);
     }
     showTerms(byId("figures"), figures);
-    byId("paths-section").hidden = paths.length === 0;
-    byId("paths").replaceChildren(
-      ...paths.map((path) => {
-        const item = term("li", formatNumber(path.length, 10));
-        const ends = term("small", `from ${placeWords(path.from)} to ${placeWords(path.target)}`);
-        const remove = document.createElement("button");
-        remove.textContent = "×";
-        remove.setAttribute("aria-label", "Remove this path");
-        remove.addEventListener("click", () => this.explorer.removePath(path));
-        item.append(remove, ends);
-        return item;
-      }),
-    );
+    this.paths.show(paths);
     this.showRadius();
     this.legend.update();
     this.save.update();
@@ -168,12 +158,12 @@ export class Panel {
 
   undo(): void {
     this.explorer.undo();
-    this.chooseNext();
+    this.chooseAgain();
   }
 
   redo(): void {
     this.explorer.redo();
-    this.chooseNext();
+    this.chooseAgain();
   }
 
   toggleIsolines(): void {
@@ -189,9 +179,15 @@ export class Panel {
     byId<HTMLDialogElement>("help-dialog").showModal();
   }
 
+  // Who draws lines straight on may draw another one from a source that is there.
+  private chooseAgain(): void {
+    if (this.tool === "straight" && this.explorer.sources.length) this.update();
+    else this.chooseNext();
+  }
+
   private async compare(): Promise<void> {
     if (!this.explorer.exactField) {
-      this.notice.hint(this.explorer.isWaiting ? "The exact field is still on its way." : NO_FIELD);
+      this.notice.hint(this.explorer.fields.isWaiting ? "The exact field is still on its way." : NO_FIELD);
       return;
     }
     const algorithm = this.methods.against;
@@ -240,13 +236,18 @@ export class Panel {
   private nextStep(): string {
     if (this.tool === "curve") return "Drag on the surface: every point of the curve is a source.";
     if (!this.explorer.sources.length) return "Click a point of the surface.";
+    if (this.tool === "straight") {
+      return this.explorer.straightLength === undefined
+        ? "Lines are as long as the slider says, or as the farthest distance: there is no such length yet."
+        : "Drag from a source's dot: the line runs straight on in that direction. Click to move the source.";
+    }
     if (this.tool === "source") return "Click to move the source; Shift and click for one more.";
     return "Move: the shortest path follows. Click to keep it; Shift and click for one more source.";
   }
 
   /** As the command spells it; nothing for the server's choice. */
   private algorithmName(): string | undefined {
-    const { algorithm } = this.explorer;
+    const { algorithm } = this.explorer.fields;
     return algorithm === 0 ? undefined : this.methods.nameOf(algorithm);
   }
 
@@ -262,10 +263,4 @@ function farthest(radius: number): string {
 
 function showTerms(list: HTMLElement, terms: [string, string][]): void {
   list.replaceChildren(...terms.flatMap(([name, value]) => [term("dt", name), term("dd", value)]));
-}
-
-function term(tag: string, text: string): HTMLElement {
-  const element = document.createElement(tag);
-  element.textContent = text;
-  return element;
 }

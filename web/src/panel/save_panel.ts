@@ -46,10 +46,10 @@ export class SavePanel {
   }
 
   private saveField(ending: string, write: (distances: Float64Array) => BlobPart[]): void {
-    const { mesh, exactField, isWaiting, summary, radius } = this.explorer;
+    const { mesh, exactField, fields, summary, radius } = this.explorer;
     if (!mesh || !exactField) {
       this.notice.hint(
-        isWaiting || summary ? "The exact field is still on its way." : "There is no field yet: click a point of the surface.");
+        fields.isWaiting || summary ? "The exact field is still on its way." : "There is no field yet: click a point of the surface.");
       return;
     }
     const limit = radius ?? Infinity;
@@ -92,7 +92,7 @@ export class SavePanel {
       sources,
       radius,
       algorithm: this.algorithmName(),
-      paths,
+      lines: paths.map((path) => path.question),
     };
   }
 }

@@ -1,9 +1,9 @@
 // Paths as files, laid out as the command `geodesic path -o` writes them.
 
-import type { SurfacePath } from "../service/questions";
+import type { SurfaceLine } from "../service/lines";
 
 /** Wavefront OBJ: the points of each path, and an `l` statement. */
-export function pathsObj(paths: readonly SurfacePath[]): BlobPart[] {
+export function pathsObj(paths: readonly SurfaceLine[]): BlobPart[] {
   const lines: string[] = [];
   let first = 1;
   paths.forEach((path, i) => {

@@ -1,6 +1,6 @@
 // The question on the screen, for the command `geodesic` and for Python.
 
-import type { PathEnds } from "../placed";
+import type { LineQuestion, PathEnds, StraightLine } from "../surface/line_question";
 import { commandText, pythonText, sourceText, type Source } from "../surface/place";
 
 export interface AskedQuestion {
@@ -12,8 +12,8 @@ export interface AskedQuestion {
   radius?: number;
   /** As the command spells it; nothing for the server's choice. */
   algorithm?: string;
-  /** The paths that were kept. */
-  paths: readonly PathEnds[];
+  /** The paths and lines that were kept. */
+  lines: readonly LineQuestion[];
 }
 
 export function commandLines(question: AskedQuestion): string {
@@ -27,12 +27,17 @@ export function commandLines(question: AskedQuestion): string {
   const lines = from.length ? [[geodesic, "field", mesh, ...from, ...radius, ...method, "-o field.npy"]] : [];
   // One command for each source that paths start at.
   const targets = new Map<string, string[]>();
-  for (const { from, target } of question.paths) {
+  const { paths, straight } = partsOf(question.lines);
+  for (const { from, target } of paths) {
     const source = `--source ${commandText(from)}`;
     targets.set(source, [...(targets.get(source) ?? []), `--target ${commandText(target)}`]);
   }
   [...targets].forEach(([source, to], i) => {
-    lines.push([geodesic, "path", mesh, source, ...to, ...method, `-o paths${i ? `-${i + 1}` : ""}.obj`]);
+    lines.push([geodesic, "path", mesh, source, ...to, ...method, `-o ${numbered("paths", i)}.obj`]);
+  });
+  straight.forEach(({ from, direction, length }, i) => {
+    const line = [`--source ${commandText(from)}`, `--direction ${direction.join(",")}`, `--length ${length}`];
+    lines.push([geodesic, "trace", mesh, ...line, `-o ${numbered("line", i)}.obj`]);
   });
   return lines.map((words) => words.join(" ")).join("\n");
 }
@@ -52,10 +57,31 @@ export function pythonLines(question: AskedQuestion): string {
       : `mesh = geodesic.Mesh(${JSON.stringify(question.mesh)})`,
   ];
   if (sources.length) lines.push(`d = mesh.distances(${from}${radius}${method})`);
-  const paths = question.paths.map(({ from, target }) => `mesh.path(${pythonText(from)}, ${pythonText(target)}${method})`);
-  if (paths.length === 1) lines.push(`path = ${paths[0]}`);
-  if (paths.length > 1) lines.push("paths = [", ...paths.map((path) => `    ${path},`), "]");
+  const { paths, straight } = partsOf(question.lines);
+  const calls = paths.map(({ from, target }) => `mesh.path(${pythonText(from)}, ${pythonText(target)}${method})`);
+  lines.push(...assigned("path", calls));
+  lines.push(...assigned("line", straight.map(({ from, direction, length }) =>
+    `mesh.trace(${pythonText(from)}, direction=[${direction.join(", ")}], length=${length})`)));
   return lines.join("\n");
+}
+
+// Shortest paths, and lines that run straight on.
+function partsOf(lines: readonly LineQuestion[]): { paths: PathEnds[]; straight: StraightLine[] } {
+  return {
+    paths: lines.filter((line) => "target" in line),
+    straight: lines.filter((line) => "direction" in line),
+  };
+}
+
+// "paths", "paths-2" and so on: no file is written twice.
+function numbered(name: string, i: number): string {
+  return i ? `${name}-${i + 1}` : name;
+}
+
+// One value by its name, several as a list.
+function assigned(name: string, calls: string[]): string[] {
+  if (calls.length < 2) return calls.map((call) => `${name} = ${call}`);
+  return [`${name}s = [`, ...calls.map((call) => `    ${call},`), "]"];
 }
 
 function quoted(name: string): string {

@@ -1,8 +1,9 @@
-// What stands on the surface beside the field: sources and curves, kept paths with
-// their ends, samples.
+// What stands on the surface beside the field: sources and curves, kept paths and
+// straight lines with their ends, samples.
 
 import { Vector3 } from "three";
 import { isSource, type Placed } from "../placed";
+import { isStraight, type SurfaceLine } from "../service/lines";
 import type { SurfaceMesh } from "../surface/mesh";
 import type { Place } from "../surface/place";
 import { CELL_COLORS } from "./colormap";
@@ -10,11 +11,13 @@ import { Dots, type Dot } from "./dots";
 import { PathLine } from "./path_line";
 import type { Scene } from "./scene";
 
-const KEPT_COLOR = 0xff8c42;
+const PATH_COLOR = 0xff8c42;
+const STRAIGHT_COLOR = 0xff7ac6;
 export const CURVE_COLOR = 0x8fd3ff;
 const WHITE = [1, 1, 1];
 const SAMPLE_FILL = [0.55, 0.83, 1];
-const KEPT_FILL = [1, 0.55, 0.26];
+const PATH_FILL = [1, 0.55, 0.26];
+const STRAIGHT_FILL = [1, 0.48, 0.78];
 
 export class Marks {
   /** By the path or the curve that they show. */
@@ -31,19 +34,21 @@ export class Marks {
   /** `inCells`: sources have the colours of their cells. */
   show(mesh: SurfaceMesh, { sources, paths, samples }: Placed, inCells: boolean): void {
     this.dropLinesBut(new Set<object>([...paths, ...sources]));
-    for (const path of paths) this.addLine(mesh, path, KEPT_COLOR, path.positions);
+    for (const path of paths) this.addLine(mesh, path, isStraight(path) ? STRAIGHT_COLOR : PATH_COLOR, path.positions);
     const dots: Dot[] = [];
-    const add = (place: Place, fill: readonly number[]) => dots.push({ point: onScreen(mesh, place).toArray(), fill });
+    const add = (point: Vector3, fill: readonly number[]) => dots.push({ point: point.toArray(), fill });
     sources.forEach((source, i) => {
       if ("curve" in source) {
         this.addLine(mesh, source, CURVE_COLOR, new Float64Array(source.curve.flatMap((place) => mesh.positionOf(place))));
       } else {
-        add(source, inCells ? CELL_COLORS[i % CELL_COLORS.length].map((byte) => byte / 255) : WHITE);
+        add(onScreen(mesh, source), inCells ? CELL_COLORS[i % CELL_COLORS.length].map((byte) => byte / 255) : WHITE);
       }
     });
-    for (const { from, target } of paths) {
-      if (!isSource(from, sources)) add(from, KEPT_FILL);
-      add(target, KEPT_FILL);
+    for (const path of paths) {
+      const fill = isStraight(path) ? STRAIGHT_FILL : PATH_FILL;
+      const { from } = path.question;
+      if (!isSource(from, sources)) add(onScreen(mesh, from), fill);
+      add(endOnScreen(mesh, path), fill);
     }
     this.dots.setDots(dots);
     this.samples.setDots(
@@ -76,4 +81,9 @@ export class Marks {
 /** Where a place is on the screen's scale. */
 export function onScreen(mesh: SurfaceMesh, place: Place): Vector3 {
   return new Vector3(...mesh.toScreen(new Float64Array(mesh.positionOf(place))));
+}
+
+/** Where a line ends on the screen's scale. */
+export function endOnScreen(mesh: SurfaceMesh, { positions }: SurfaceLine): Vector3 {
+  return new Vector3(...mesh.toScreen(positions.slice(-3)));
 }

@@ -1,13 +1,12 @@
 // The questions about distances, as streams of what the page shows.
 
-import type { MessageInitShape } from "@bufbuild/protobuf";
 import type { AnswerTrailer } from "../../generated/geodesic/v1/answer_pb";
 import type { Algorithm } from "../../generated/geodesic/v1/query_pb";
 import { FieldQuantity } from "../../generated/geodesic/v1/question_service_pb";
-import type { SourceSchema } from "../../generated/geodesic/v1/surface_pb";
-import type { Place, Source } from "../surface/place";
-import { readAnswer, type Arrays } from "./answer";
+import type { Source } from "../surface/place";
+import { readAnswer } from "./answer";
 import { about, type Connection } from "./connection";
+import { sourceOf } from "./points";
 
 export interface FieldQuestion {
   digest: string;
@@ -28,15 +27,6 @@ export interface FieldSummary {
   /** Every distance up to here is there; +infinity if all are. */
   settledRadius: number;
   solveSeconds: number;
-}
-
-export interface SurfacePath {
-  /** x y z of each point, in the unit of the file. */
-  positions: Float64Array;
-  places: Place[];
-  distance: number;
-  length: number;
-  source: number;
 }
 
 /** Calls `settled` with the distances in order, as they become final. */
@@ -88,27 +78,6 @@ export async function askCells(
   return arrays.get("nearest_source", Uint32Array);
 }
 
-/** The shortest path to `target`; nothing if none leads there. */
-export async function askPath(
-  connection: Connection,
-  question: FieldQuestion,
-  target: Place,
-  signal: AbortSignal,
-): Promise<SurfacePath | undefined> {
-  const { arrays } = await readAnswer(connection.questions.computePaths(
-    { ...shared(question), targets: [pointOf(target)] },
-    about(question.digest, signal),
-  ));
-  const places = placesOf(arrays);
-  return places.length === 0 ? undefined : {
-    positions: arrays.get("position", Float64Array),
-    places,
-    distance: arrays.get("distance", Float64Array)[0],
-    length: arrays.get("length", Float64Array)[0],
-    source: arrays.get("source", Uint32Array)[0],
-  };
-}
-
 /** Vertices, each the farthest from the sources and from those before it. */
 export async function askSamples(
   connection: Connection,
@@ -124,24 +93,6 @@ export async function askSamples(
   return Array.from(arrays.get("vertex", Uint32Array), (vertex, i) => ({ vertex, distance: distances[i] }));
 }
 
-/** A curve through the places in turn, by a shortest path from each to the next. */
-export async function askCurve(
-  connection: Connection,
-  digest: string,
-  through: readonly Place[],
-  signal: AbortSignal,
-): Promise<Place[]> {
-  const pairs = through.slice(1).map((place, i) => ({ source: pointOf(through[i]), target: pointOf(place) }));
-  const { arrays } = await readAnswer(connection.questions.computePairs(
-    { meshDigest: digest, pairs, paths: true },
-    about(digest, signal),
-  ));
-  const starts = new Set([0, ...Array.from(arrays.get("line_end", BigUint64Array), Number)]);
-  if (starts.size <= pairs.length) throw new Error("No path leads along this curve.");
-  // Each path begins where the one before it ended.
-  return placesOf(arrays).filter((_, i) => i === 0 || !starts.has(i));
-}
-
 function summaryOf(trailer: AnswerTrailer): FieldSummary {
   return {
     settledRadius: trailer.settledRadius,
@@ -155,41 +106,4 @@ function shared(question: FieldQuestion) {
     algorithm: question.algorithm,
     sources: question.sources.map(sourceOf),
   };
-}
-
-function sourceOf(source: Source): MessageInitShape<typeof SourceSchema> {
-  if ("curve" in source) {
-    return { place: { case: "curve", value: { points: source.curve.map(pointOf) } } };
-  }
-  return { place: pointOf(source).place };
-}
-
-interface PointInit {
-  place:
-    | { case: "vertex"; value: bigint }
-    | { case: "edge"; value: { from: bigint; to: bigint; t: number } }
-    | { case: "face"; value: { face: bigint; weights: number[] } };
-}
-
-function pointOf(place: Place): PointInit {
-  switch (place.kind) {
-    case "vertex":
-      return { place: { case: "vertex", value: BigInt(place.vertex) } };
-    case "edge":
-      return { place: { case: "edge", value: { from: BigInt(place.from), to: BigInt(place.to), t: place.t } } };
-    case "face":
-      return { place: { case: "face", value: { face: BigInt(place.face), weights: [...place.weights] } } };
-  }
-}
-
-function placesOf(arrays: Arrays): Place[] {
-  const numbers = arrays.get("point_numbers", Uint32Array);
-  const weights = arrays.get("point_weights", Float64Array);
-  return Array.from(arrays.get("point_kind", Uint8Array), (kind, i): Place => {
-    const [first, second] = numbers.subarray(2 * i);
-    const [a, b, c] = weights.subarray(3 * i);
-    if (kind === 1) return { kind: "edge", from: first, to: second, t: a };
-    if (kind === 2) return { kind: "face", face: first, weights: [a, b, c] };
-    return { kind: "vertex", vertex: first };
-  });
 }

@@ -4,6 +4,7 @@
 // drawn while the picture changes; all else is about the faces of the file.
 
 import { BufferAttribute, BufferGeometry, Vector3 } from "three";
+import type { LineQuestion } from "./line_question";
 import type { Place, Source } from "./place";
 import { vertexNormals } from "./vertex_normals";
 
@@ -127,6 +128,11 @@ export class SurfaceMesh {
   /** Whether the mesh has every place of a source. */
   holdsSource(source: Source): boolean {
     return "curve" in source ? source.curve.every((place) => this.holds(place)) : this.holds(source);
+  }
+
+  /** Whether the mesh has the places that a line is asked by. */
+  holdsLine(line: LineQuestion): boolean {
+    return this.holds(line.from) && (!("target" in line) || this.holds(line.target));
   }
 
   private weighted(place: Place): [number, number][] {

@@ -46,7 +46,7 @@ export function parseSource(text: string): Source | undefined {
 }
 
 /** The place that `commandText` wrote; nothing if it is none. */
-function parsePlace(text: string): Place | undefined {
+export function parsePlace(text: string): Place | undefined {
   if (/^\d+$/.test(text)) return { kind: "vertex", vertex: Number(text) };
   const edge = /^edge:(\d+)-(\d+)@([\d.e+-]+)$/.exec(text);
   if (edge) return { kind: "edge", from: Number(edge[1]), to: Number(edge[2]), t: Number(edge[3]) };
