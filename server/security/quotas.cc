@@ -14,9 +14,6 @@
 namespace geodesic::server {
 namespace {
 
-// Jobs end, and meshes are evicted, within about a second.
-constexpr std::chrono::milliseconds kRetryDelay{1000};
-
 // A rate limit with bursts: holds at most `burst` tokens and gets `rate` of
 // them each second. Not thread-safe.
 class TokenBucket {

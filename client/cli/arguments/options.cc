@@ -200,10 +200,11 @@ void AddFiles(CLI::App* app, const std::string& help,
 }
 
 void AddReading(CLI::App* app, MeshArgument* mesh) {
+  std::vector<std::string> names;
+  for (const MeshFormatInfo& info : kMeshFormats) names.emplace_back(info.name);
   AddChoice(app,
             {"--format", "How to read the file, if its ending does not tell"},
-            {"obj", "ply", "off", "stl", "vtk", "vtp", "gltf"},
-            [mesh](const std::string& name) {
+            names, [mesh](const std::string& name) {
               mesh->format = *MeshFormatFromPath("." + name);
             });
   CLI::Option* const weld =

@@ -158,7 +158,8 @@ bool WantsJson(const CLI::App& app);
 // Adds FILE...
 void AddFiles(CLI::App* app, const std::string& help,
               std::vector<std::string>* files);
-// Adds MESH, as `help` explains it, and --format.
+// Adds MESH, as `help` explains it, and how it is read: --format, --weld and
+// --no-weld.
 inline constexpr char kMeshHelp[] =
     "A mesh file, uploaded if the server lacks it; or the digest of a resident "
     "mesh, of which the first 8 digits do if they are unique";

@@ -1,4 +1,4 @@
-// Parallel Chen-Han: exact like the algorithms of algorithm.h, by levels in all
+// Parallel Chen-Han: exact like those of geodesic_types/algorithms.h, by levels in all
 // threads and without a queue. It stands apart from these because neither its
 // time nor its memory has a useful bound: it is here to compare with.
 //

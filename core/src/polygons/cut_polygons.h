@@ -12,9 +12,6 @@
 
 namespace geodesic {
 
-// What cutting takes beside the soup, for each corner of its largest polygon.
-inline constexpr int kCuttingBytes = 26;
-
 // The polygons of `soup` are fans from their first corners: `is_joined` says of
 // a triangle that it belongs to the polygon of the one before it; what it does
 // not reach is none. Fans of convex polygons stay as they are, and so do those

@@ -8,12 +8,6 @@
 #include "server/engine/base/status_details.h"
 
 namespace geodesic::server {
-namespace {
-
-// Jobs and streams that hold memory last around a second.
-constexpr std::chrono::milliseconds kRetryDelay{1000};
-
-}  // namespace
 
 ByteBudget::ByteBudget(std::string name, uint64_t capacity)
     : name_(std::move(name)), capacity_(capacity) {}

@@ -1,6 +1,6 @@
 // Details of an error besides code, message and field path
-// (geodesic/field_path.h). They are payloads of absl::Status, so all layers
-// keep them.
+// (geodesic_types/field_path.h). They are payloads of absl::Status, so all
+// layers keep them.
 
 #ifndef GEODESIC_SERVER_ENGINE_BASE_STATUS_DETAILS_H_
 #define GEODESIC_SERVER_ENGINE_BASE_STATUS_DETAILS_H_
@@ -62,6 +62,10 @@ inline constexpr std::string_view kErrorReasons[] = {
     reason::kCancelled,          reason::kInternal,
     reason::kFailedPrecondition,
 };
+
+// After which a refusal says to try again, where nobody knows how long it
+// takes.
+inline constexpr std::chrono::milliseconds kRetryDelay{1000};
 
 // Says that the same request may succeed after `delay`. OK stays OK.
 absl::Status WithRetryAfter(absl::Status status,

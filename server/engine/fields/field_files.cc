@@ -144,31 +144,36 @@ absl::Status ReadArray(BlobBody& body, size_t count, std::vector<T>& values) {
 }  // namespace
 
 std::string FieldFiles::NameOf(const FieldKey& key) const {
+  // Whatever is added to these has to be named here, too: else one field would
+  // be read for another.
+  const auto& [mesh_digest, checked, bucket_width, max_batch, method] = key;
+  const auto& [sources, targets, algorithm, trace, tolerance] = *checked;
   BinaryWriter writer;
   writer.PutString("geodesic.field.v2");
   writer.PutString(version_);
-  writer.PutString(key.mesh_digest);
-  const Query& query = *key.query;
-  writer.Put(uint64_t{query.sources.size()});
-  for (const Source& source : query.sources) {
+  writer.PutString(mesh_digest);
+  writer.Put(uint64_t{sources.size()});
+  for (const Source& source : sources) {
+    const auto& [place, offset] = source;
     writer.Put(IsCurve(source));
-    std::visit([&](const auto& place) { Encode(place, writer); }, source.place);
-    writer.Put(source.offset);
+    std::visit([&](const auto& one) { Encode(one, writer); }, place);
+    writer.Put(offset);
   }
-  Encode(query.targets, writer);
-  writer.PutString(AlgorithmName(query.algorithm));
-  writer.Put(query.trace);
-  writer.Put(key.bucket_width);
-  writer.Put(key.max_batch);
-  if (query.tolerance > 0) {
+  Encode(targets, writer);
+  writer.PutString(AlgorithmName(algorithm));
+  writer.Put(trace);
+  writer.Put(bucket_width);
+  writer.Put(max_batch);
+  if (tolerance > 0) {
     writer.PutString("tolerance");
-    writer.Put(query.tolerance);
+    writer.Put(tolerance);
   }
-  if (key.method.has_value()) {
-    writer.PutString(ApproximateMethodName(key.method->method));
-    writer.Put(key.method->lambda);
-    writer.Put(key.method->neighbours);
-    writer.Put(key.method->samples);
+  if (method.has_value()) {
+    const auto& [kind, lambda, neighbours, samples] = *method;
+    writer.PutString(ApproximateMethodName(kind));
+    writer.Put(lambda);
+    writer.Put(neighbours);
+    writer.Put(samples);
   }
   return Sha256Hex(writer.bytes());
 }

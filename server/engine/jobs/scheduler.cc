@@ -11,9 +11,6 @@
 namespace geodesic::server {
 namespace {
 
-// A queue moves on within about a second: most jobs take less.
-constexpr std::chrono::milliseconds kRetryDelay{1000};
-
 // Of the disk's threads: what nobody waits for leaves others to those who do.
 constexpr size_t kStoreThreads = kDiskThreads / 2;
 

@@ -14,7 +14,7 @@ namespace geodesic::server {
 namespace {
 
 // Freeing disk space takes longer than a second.
-constexpr std::chrono::milliseconds kRetryDelay{5000};
+constexpr std::chrono::milliseconds kDiskRetryDelay{5000};
 
 // Calls `visit` for each number of a summary, in the order of the file.
 template <typename Summary, typename Visit>
@@ -148,7 +148,7 @@ std::vector<MeshDescription> MeshFiles::List(const std::string& after,
 }
 
 absl::Status MeshFiles::Admit(uint64_t vertices, uint64_t faces) {
-  // Metadata of the largest size.
+  // As much metadata as any file has.
   const std::string metadata = Encode(
       MeshSummary(),
       FileKey{.format = MeshFormat::kVtp, .sha256 = std::string(64, '0')});
@@ -172,14 +172,14 @@ absl::Status MeshFiles::Put(const ResidentMesh& mesh,
       absl::Status(status.code(),
                    absl::StrCat("the mesh cannot be kept: ", status.message(),
                                 "; delete meshes or free the server's disk")),
-      kRetryDelay);
+      kDiskRetryDelay);
 }
 
 absl::Status MeshFiles::Look(const std::string& digest) {
   const absl::Status status = blobs_->Look(digest);
   return status.ok() || absl::IsNotFound(status)
              ? status
-             : WithRetryAfter(status, kRetryDelay);
+             : WithRetryAfter(status, kDiskRetryDelay);
 }
 
 absl::StatusOr<TriangleSoup> MeshFiles::Load(const MeshDescription& mesh,
@@ -201,7 +201,7 @@ absl::StatusOr<TriangleSoup> MeshFiles::Load(const MeshDescription& mesh,
   }
   if (absl::IsNotFound(status)) return NotResident(mesh.digest);
   return absl::IsCancelled(status) ? status
-                                   : WithRetryAfter(status, kRetryDelay);
+                                   : WithRetryAfter(status, kDiskRetryDelay);
 }
 
 absl::Status MeshFiles::Erase(const std::string& digest) {

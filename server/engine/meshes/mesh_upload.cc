@@ -51,7 +51,7 @@ uint64_t LastFactor(const UploadHeader& header) {
 // bytes is for vertices, and a little less than half for triangles: with each
 // goes a bit that says of which polygon it is. Polygons are cut when nothing
 // grows any more: a polygon of all triangles then has half of the bytes
-// and more, 26 for each of its corners (kCuttingBytes).
+// and more: cutting takes 26 bytes for each of its corners.
 ReadLimits LimitsWithin(uint64_t bytes) {
   return {.max_vertices = bytes / (4 * sizeof(Point)),
           .max_triangles = bytes / (4 * sizeof(Triangle) + 4)};

@@ -15,9 +15,6 @@
 namespace geodesic::server {
 namespace {
 
-// Streams end within seconds unless their readers stall.
-constexpr std::chrono::milliseconds kRetryDelay{1000};
-
 std::string Named(const char* name, const std::string& value) {
   return value.empty() ? "" : absl::StrCat(" ", name, "=", value);
 }
