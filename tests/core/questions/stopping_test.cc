@@ -149,6 +149,28 @@ TEST(Stopping, FieldsAskBetweenVerticesThatLookAtVeryManyFaces) {
   EXPECT_LT(most, 100'000u);
 }
 
+// All that one vertex sees beyond its edges would take as long.
+TEST(Stopping, FieldsAskWhileAVertexLooksAtVeryManyFaces) {
+  const auto mesh = Mesh::Build(AllTriangles(90)).value();
+  for (const AlgorithmInfo& info : kAlgorithms) {
+    SCOPED_TRACE(AlgorithmName(info.algorithm));
+    RecordingCheckpoint checkpoint(/*stop_at=*/20);
+    ASSERT_EQ(
+        Solve(*mesh,
+              {.sources = {{VertexPoint{0}}}, .algorithm = info.algorithm}, {},
+              checkpoint)
+            .status(),
+        RecordingCheckpoint::Stopped());
+    uint64_t before = 0, most = 0;
+    for (const Progress& progress : checkpoint.polls()) {
+      most = std::max(most, progress.live_windows -
+                                std::min(before, progress.live_windows));
+      before = progress.live_windows;
+    }
+    EXPECT_LT(most, 50'000u);
+  }
+}
+
 // Each page is entered by as many windows, of which each is compared with each
 // other before a line is drawn there.
 TEST(Stopping, IsolinesOfManySourcesAskForEachTwoWaysIntoAFace) {

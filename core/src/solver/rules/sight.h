@@ -66,6 +66,9 @@ class Sight {
 
   // So that a pseudo-source is done soon, however many faces share its edges.
   static constexpr size_t kMostKnown = size_t{1} << 16;
+  // Ten milliseconds, about. Once so many faces were looked at, what is beyond
+  // more edges of three faces or more waits, as it does beyond wide edges.
+  static constexpr uint64_t kMostAtOnce = uint64_t{1} << 15;
 
   // The first view across an edge of three faces or more. The half-edges that
   // it came to are noted in known_ only when there is another.
@@ -80,7 +83,7 @@ class Sight {
     const bool is_shared = sharing > 2;
     const bool is_first = is_shared && NoteView(side, View{side, origin, part});
     if constexpr (ToldOfWideEdges<Sink>) {
-      if (is_first && IsWideEdge(mesh_, side) &&
+      if (is_first && (IsWideEdge(mesh_, side) || faces_ > kMostAtOnce) &&
           !LiesOnEdge(origin, mesh_.frame(side))) {
         known_count_ += sharing;
         sink_.OpenBeyond(side, pseudo_source_, origin, part);
