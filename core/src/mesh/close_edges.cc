@@ -20,23 +20,35 @@ constexpr double kMargin = 1.25;
 // The larger, the fewer cubes a search looks into, and the more lies in them.
 constexpr double kReachesPerCube = 4;
 
+absl::Status PollAt(uint64_t i, Checkpoint& checkpoint) {
+  return i % kBetweenPolls == 0 ? checkpoint.Poll({}) : absl::OkStatus();
+}
+
 }  // namespace
 
 double Distance(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-CloseEdges::CloseEdges(std::span<const Point> positions,
-                       std::span<const VertexPair> edges,
-                       const Closeness& closeness)
-    : positions_(positions),
-      edges_(edges),
-      closeness_(closeness),
-      before_(edges.size(), kNone) {
+absl::StatusOr<CloseEdges> CloseEdges::Make(std::span<const Point> positions,
+                                            std::span<const VertexPair> edges,
+                                            const Closeness& closeness,
+                                            Checkpoint& checkpoint) {
+  CloseEdges made(positions, edges, closeness);
+  absl::Status status = made.Measure(checkpoint);
+  if (status.ok()) status = made.Sort(checkpoint);
+  if (!status.ok()) return status;
+  return made;
+}
+
+absl::Status CloseEdges::Measure(Checkpoint& checkpoint) {
   double longest = 0, farthest = 0;
-  for (const VertexPair& edge : edges_) {
-    const Point& a = positions_[edge.low];
-    const Point& b = positions_[edge.high];
+  for (size_t i = 0; i < edges_.size(); ++i) {
+    if (absl::Status status = PollAt(i, checkpoint); !status.ok()) {
+      return status;
+    }
+    const Point& a = positions_[edges_[i].low];
+    const Point& b = positions_[edges_[i].high];
     longest = std::max(longest, Distance(a, b));
     for (int axis = 0; axis < 3; ++axis) {
       farthest = std::max({farthest, std::abs(a[axis]), std::abs(b[axis])});
@@ -46,8 +58,16 @@ CloseEdges::CloseEdges(std::span<const Point> positions,
            std::max({std::min(closeness_.distance, closeness_.part * longest),
                      farthest / kMostCubes, 1e-300});
   side_ = kReachesPerCube * reach_;
+  return absl::OkStatus();
+}
+
+absl::Status CloseEdges::Sort(Checkpoint& checkpoint) {
+  before_.assign(edges_.size(), kNone);
   last_.reserve(edges_.size());
   for (uint32_t i = 0; i < edges_.size(); ++i) {
+    if (absl::Status status = PollAt(i, checkpoint); !status.ok()) {
+      return status;
+    }
     const auto [entry, is_new] =
         last_.try_emplace(CubeOf(Middle(edges_[i])), i);
     if (!is_new) {
@@ -55,6 +75,7 @@ CloseEdges::CloseEdges(std::span<const Point> positions,
       entry->second = i;
     }
   }
+  return absl::OkStatus();
 }
 
 absl::Status CloseEdges::Find(uint32_t edge, Checkpoint& checkpoint,
@@ -78,10 +99,7 @@ absl::Status CloseEdges::Find(uint32_t edge, Checkpoint& checkpoint,
     if (found == last_.end()) continue;
     for (uint32_t other = found->second; other != kNone;
          other = before_[other]) {
-      if (++compared_ % kBetweenPolls == 0) {
-        absl::Status status = checkpoint.Poll({});
-        if (!status.ok()) return status;
-      }
+      if (absl::Status s = PollAt(++compared_, checkpoint); !s.ok()) return s;
       if (other == edge) continue;
       if (most-- == 0) return absl::OkStatus();
       Compare(edge, other, pairs);

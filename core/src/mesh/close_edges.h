@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "absl/container/flat_hash_map.h"
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
 #include "geodesic/checkpoint.h"
 #include "geodesic/triangle_soup.h"
 #include "mesh/boundary_edges.h"
@@ -35,9 +37,11 @@ struct ClosePair {
 // Edges in a grid of cubes by their middles.
 class CloseEdges {
  public:
-  // Both must outlive it. O(edges).
-  CloseEdges(std::span<const Point> positions,
-             std::span<const VertexPair> edges, const Closeness& closeness);
+  // Both must outlive it. O(edges). Errors: whatever `checkpoint` returns.
+  static absl::StatusOr<CloseEdges> Make(std::span<const Point> positions,
+                                         std::span<const VertexPair> edges,
+                                         const Closeness& closeness,
+                                         Checkpoint& checkpoint);
 
   // Appends the pairs of `edge` and another one, among the `most` edges that
   // are looked at first. O(8 + edges in the cubes around it). Errors: whatever
@@ -47,14 +51,21 @@ class CloseEdges {
                     uint32_t most = std::numeric_limits<uint32_t>::max());
 
  private:
+  CloseEdges(std::span<const Point> positions,
+             std::span<const VertexPair> edges, const Closeness& closeness)
+      : positions_(positions), edges_(edges), closeness_(closeness) {}
+
+  // Finds out how large cubes are, and what lies in each.
+  absl::Status Measure(Checkpoint& checkpoint);
+  absl::Status Sort(Checkpoint& checkpoint);
   Point Middle(const VertexPair& edge) const;
   Point CubeOf(const Point& point) const;
   // Appends the pair, if they are close.
   void Compare(uint32_t edge, uint32_t other, std::vector<ClosePair>& pairs);
 
-  const std::span<const Point> positions_;
-  const std::span<const VertexPair> edges_;
-  const Closeness closeness_;
+  std::span<const Point> positions_;
+  std::span<const VertexPair> edges_;
+  Closeness closeness_;
   double reach_ = 0;  // between middles of close edges
   double side_ = 0;   // of a cube
   // The last edge in each cube, and the one before each.

@@ -202,13 +202,15 @@ class Seams {
                             [&](uint32_t i) { return is_joined[i]; })) {
       return absl::OkStatus();
     }
-    CloseEdges grid(soup_.positions, edges, closeness);
+    absl::StatusOr<CloseEdges> grid =
+        CloseEdges::Make(soup_.positions, edges, closeness, checkpoint_);
+    if (!grid.ok()) return grid.status();
     std::vector<ClosePair> pairs;
     for (uint32_t i = 0; i < edges.size(); ++i) {
       if (absl::Status status = Poll(i); !status.ok()) return status;
       if (is_joined[numbers[i]]) continue;
       pairs.clear();
-      absl::Status status = grid.Find(i, checkpoint_, pairs);
+      absl::Status status = grid->Find(i, checkpoint_, pairs);
       if (!status.ok()) return status;
       for (const ClosePair& pair : pairs) {
         auto [low, high] = edges[pair.second];

@@ -237,12 +237,14 @@ absl::Status CountCloseEdges(const Mesh& mesh,
   const Closeness closeness = {
       .distance = kSuspicious * length / static_cast<double>(edges.size()),
       .part = kSuspicious};
-  CloseEdges grid(mesh.positions(), edges, closeness);
+  absl::StatusOr<CloseEdges> grid =
+      CloseEdges::Make(mesh.positions(), edges, closeness, checkpoint);
+  if (!grid.ok()) return grid.status();
   std::vector<ClosePair> pairs;
   std::vector<HalfEdge> others;
   for (uint32_t i = 0; i < edges.size(); ++i) {
     pairs.clear();
-    absl::Status status = grid.Find(i, checkpoint, pairs, kMostCompared);
+    absl::Status status = grid->Find(i, checkpoint, pairs, kMostCompared);
     if (!status.ok()) return status;
     // Neighbours are not joined: a face would lose a side.
     std::erase_if(pairs, [&](const ClosePair& pair) {
