@@ -192,6 +192,26 @@ TEST(Stopping, IsolinesOfManySourcesAskForEachTwoWaysIntoAFace) {
             kFaces * kSources * kSources / 4096);
 }
 
+// Each of two lines crosses all faces. Once the first is drawn it counts as
+// bytes that are held.
+TEST(Stopping, IsolinesAskWhileALineIsDrawn) {
+  constexpr uint32_t kFaces = 32 * kSteps;
+  const auto mesh = Mesh::Build(NeedleFan(kFaces)).value();
+  const IsolineOptions isolines = {
+      .levels = {0.4, 0.5},
+      .chord_error = std::numeric_limits<double>::infinity()};
+  RecordingCheckpoint checkpoint;
+  ASSERT_TRUE(ComputeIsolines(*mesh,
+                              Valid(*mesh, {.sources = {{VertexPoint{0}}}}),
+                              isolines, {}, checkpoint)
+                  .ok());
+  const std::vector<Progress>& polls = checkpoint.polls();
+  // A poll comes after 4096 points.
+  EXPECT_GE(std::ranges::count(polls, polls.back().solver_bytes,
+                               &Progress::solver_bytes),
+            kFaces / 4096 - 1);
+}
+
 // Also amid the faces at an edge.
 TEST(Stopping, FieldsGoOnWhereTheyWereStopped) {
   const auto mesh = Mesh::Build(Pages(2 * kSteps)).value();

@@ -112,6 +112,8 @@ absl::Status LevelCrossings::AddIsolines(double level,
     };
     for (size_t i = 0; i < chain.crossings.size(); ++i) {
       add(PointAt(crossings_[of_level[chain.crossings[i]]]));
+      absl::Status status = Work(1, poll);
+      if (!status.ok()) return status;
       if (i == chain.links.size()) continue;
       const auto [number, is_forward] = chain.links[i];
       const Segment& segment = segments[number];
@@ -119,12 +121,10 @@ absl::Status LevelCrossings::AddIsolines(double level,
         const uint32_t sample = is_forward ? k : segment.sample_count - 1 - k;
         add(PointAt(samples_[segment.first_sample + sample]));
       }
+      status = Work(segment.sample_count, poll);
+      if (!status.ok()) return status;
     }
-    const size_t point_count = points.size();
     AddIsoline(level, std::move(points), chain.is_closed, isolines);
-    if (absl::Status status = Work(point_count, poll); !status.ok()) {
-      return status;
-    }
   }
   return absl::OkStatus();
 }
