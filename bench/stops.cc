@@ -18,10 +18,10 @@
 #include "absl/status/status.h"
 #include "geodesic/checkpoint.h"
 #include "geodesic/mesh.h"
-#include "tests/support/crowded_meshes.h"
-#include "tests/support/curved_meshes.h"
 #include "tests/support/every_question.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/crowded_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/planar_meshes.h"
 
 namespace geodesic {
 namespace {

@@ -12,7 +12,7 @@
 #include "bench/paper/table.h"
 #include "geodesic/mesh_summary.h"
 #include "geodesic/solve.h"
-#include "tests/support/curved_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
 #include "tests/support/vec.h"
 
 namespace geodesic::paper {

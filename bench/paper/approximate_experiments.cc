@@ -15,7 +15,7 @@
 #include "geodesic/mesh_summary.h"
 #include "geodesic/parallel_chen_han.h"
 #include "geodesic/solve.h"
-#include "tests/support/curved_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
 
 namespace geodesic::paper {
 namespace {

@@ -8,8 +8,8 @@
 #include "bench/paper/experiments.h"
 #include "bench/paper/table.h"
 #include "geodesic/mesh_summary.h"
-#include "tests/support/curved_meshes.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/planar_meshes.h"
 
 namespace geodesic::paper {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "bench/paper/experiments.h"
 #include "bench/paper/table.h"
-#include "tests/support/curved_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
 
 namespace geodesic::paper {
 namespace {

@@ -15,7 +15,7 @@
 #include "solver/queues/label_correcting.h"
 #include "solver/rules/ch_rule.h"
 #include "solver/rules/mmp_rule.h"
-#include "tests/support/curved_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
 
 namespace geodesic::paper {
 namespace {

@@ -12,7 +12,7 @@
 #include "bench/speed/benchmarks.h"
 #include "bench/speed/report.h"
 #include "bench/subject.h"
-#include "tests/support/curved_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
 
 namespace geodesic::speed {
 namespace {

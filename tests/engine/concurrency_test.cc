@@ -17,8 +17,8 @@
 #include "server/engine/jobs/thread_pool.h"
 #include "server/engine/query_engine.h"
 #include "tests/engine/uploads.h"
-#include "tests/support/curved_meshes.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/planar_meshes.h"
 
 namespace geodesic::server {
 namespace {

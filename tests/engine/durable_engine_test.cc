@@ -15,7 +15,7 @@
 #include "digest/sha256.h"
 #include "server/engine/base/status_details.h"
 #include "tests/engine/durable_fixture.h"
-#include "tests/support/curved_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
 #include "tests/support/small_disk.h"
 
 namespace geodesic::server {

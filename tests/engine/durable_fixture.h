@@ -17,7 +17,7 @@
 #include "server/engine/meshes/mesh_digest.h"
 #include "server/engine/query_engine.h"
 #include "tests/engine/engine_fixture.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/planar_meshes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace geodesic::server::test {

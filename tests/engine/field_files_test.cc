@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "server/store/data_folder.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/planar_meshes.h"
 #include "tests/support/queries.h"
 #include "tests/support/temporary_folder.h"
 

@@ -9,7 +9,7 @@
 #include "geodesic/solve.h"
 #include "server/engine/base/status_details.h"
 #include "tests/engine/engine_fixture.h"
-#include "tests/support/curved_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
 
 namespace geodesic::server {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "tests/engine/engine_fixture.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/planar_meshes.h"
 
 namespace geodesic::server {
 namespace {

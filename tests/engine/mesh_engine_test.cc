@@ -10,8 +10,8 @@
 #include "geodesic_types/field_path.h"
 #include "server/engine/meshes/mesh_digest.h"
 #include "tests/engine/engine_fixture.h"
-#include "tests/support/curved_meshes.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/planar_meshes.h"
 
 namespace geodesic::server {
 namespace {

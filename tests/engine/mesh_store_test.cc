@@ -6,7 +6,7 @@
 
 #include "server/engine/meshes/mesh_digest.h"
 #include "tests/engine/uploads.h"
-#include "tests/support/curved_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
 
 namespace geodesic::server {
 namespace {

@@ -14,8 +14,8 @@
 #include "geodesic_types/field_path.h"
 #include "tests/core/readers/vtp_writer.h"
 #include "tests/engine/uploads.h"
-#include "tests/support/curved_meshes.h"
 #include "tests/support/gzip_file.h"
+#include "tests/support/meshes/curved_meshes.h"
 
 namespace geodesic::server {
 namespace {

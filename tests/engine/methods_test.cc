@@ -11,7 +11,7 @@
 #include "server/engine/base/status_details.h"
 #include "server/engine/methods/method_engine.h"
 #include "tests/engine/durable_fixture.h"
-#include "tests/support/curved_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
 
 namespace geodesic::server {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "tests/engine/durable_fixture.h"
 #include "tests/engine/engine_fixture.h"
-#include "tests/support/curved_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
 
 namespace geodesic::server {
 namespace {

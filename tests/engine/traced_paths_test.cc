@@ -14,7 +14,7 @@
 
 #include "geodesic/surface_point.h"
 #include "tests/engine/engine_fixture.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/planar_meshes.h"
 
 namespace geodesic::server {
 namespace {

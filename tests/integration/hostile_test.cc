@@ -7,7 +7,7 @@
 
 #include "geodesic_client/client.h"
 #include "tests/integration/running_server.h"
-#include "tests/support/test_meshes.h"
+#include "tests/support/meshes/test_meshes.h"
 
 namespace geodesic::client {
 namespace {

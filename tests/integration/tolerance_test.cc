@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "tests/integration/planar_grid_test.h"
-#include "tests/support/curved_meshes.h"
-#include "tests/support/mesh_edits.h"
-#include "tests/support/planar_meshes.h"
-#include "tests/support/test_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/mesh_edits.h"
+#include "tests/support/meshes/planar_meshes.h"
+#include "tests/support/meshes/test_meshes.h"
 
 namespace geodesic::client {
 namespace {

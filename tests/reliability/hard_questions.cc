@@ -9,13 +9,13 @@
 
 #include "absl/strings/str_cat.h"
 #include "geodesic_types/mesh_format.h"
-#include "tests/support/crowded_meshes.h"
-#include "tests/support/curved_meshes.h"
-#include "tests/support/developable_meshes.h"
-#include "tests/support/mesh_edits.h"
-#include "tests/support/needle_meshes.h"
-#include "tests/support/planar_meshes.h"
-#include "tests/support/test_meshes.h"
+#include "tests/support/meshes/crowded_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/developable_meshes.h"
+#include "tests/support/meshes/mesh_edits.h"
+#include "tests/support/meshes/needle_meshes.h"
+#include "tests/support/meshes/planar_meshes.h"
+#include "tests/support/meshes/test_meshes.h"
 
 namespace geodesic::client {
 namespace {

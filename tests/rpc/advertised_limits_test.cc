@@ -9,7 +9,7 @@
 
 #include "server/engine/base/limits.h"
 #include "tests/rpc/questions_fixture.h"
-#include "tests/support/curved_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
 
 namespace geodesic::server {
 namespace {

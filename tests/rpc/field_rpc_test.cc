@@ -14,7 +14,7 @@
 #include "geodesic/solve.h"
 #include "tests/engine/uploads.h"
 #include "tests/rpc/questions_fixture.h"
-#include "tests/support/curved_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
 
 namespace geodesic::server {
 namespace {

@@ -16,8 +16,8 @@
 #include "digest/sha256.h"
 #include "tests/engine/uploads.h"
 #include "tests/rpc/rpc_fixture.h"
-#include "tests/support/curved_meshes.h"
 #include "tests/support/http_get.h"
+#include "tests/support/meshes/curved_meshes.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/until.h"
 

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "tests/rpc/rpc_fixture.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/planar_meshes.h"
 
 namespace geodesic::server::test {
 

@@ -13,7 +13,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "tests/rpc/questions_fixture.h"
-#include "tests/support/curved_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
 
 namespace geodesic::server {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "tests/engine/uploads.h"
 #include "tests/rpc/rpc_fixture.h"
-#include "tests/support/curved_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace geodesic::server {

@@ -6,7 +6,7 @@
 #include "geodesic/solve.h"
 #include "tests/stress/answers.h"
 #include "tests/stress/laws.h"
-#include "tests/support/mesh_edits.h"
+#include "tests/support/meshes/mesh_edits.h"
 #include "tests/support/queries.h"
 #include "tests/support/surface_points.h"
 #include "tests/support/vec.h"

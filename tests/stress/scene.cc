@@ -5,12 +5,12 @@
 #include <sstream>
 #include <utility>
 
-#include "tests/support/curved_meshes.h"
-#include "tests/support/developable_meshes.h"
-#include "tests/support/mesh_edits.h"
-#include "tests/support/needle_meshes.h"
-#include "tests/support/planar_meshes.h"
-#include "tests/support/polyhedra.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/developable_meshes.h"
+#include "tests/support/meshes/mesh_edits.h"
+#include "tests/support/meshes/needle_meshes.h"
+#include "tests/support/meshes/planar_meshes.h"
+#include "tests/support/meshes/polyhedra.h"
 #include "tests/support/surface_points.h"
 
 namespace geodesic::stress {

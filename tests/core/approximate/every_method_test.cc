@@ -17,11 +17,11 @@
 #include "geodesic_types/field_path.h"
 #include "tests/core/approximate/method_check.h"
 #include "tests/support/checkpoints.h"
-#include "tests/support/curved_meshes.h"
-#include "tests/support/mesh_edits.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/mesh_edits.h"
+#include "tests/support/meshes/planar_meshes.h"
+#include "tests/support/meshes/test_meshes.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/support/test_meshes.h"
 
 namespace geodesic {
 

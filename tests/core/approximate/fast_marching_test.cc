@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "tests/core/approximate/method_check.h"
-#include "tests/support/curved_meshes.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/planar_meshes.h"
 
 namespace geodesic::test {
 namespace {

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "tests/support/checkpoints.h"
-#include "tests/support/curved_meshes.h"
 #include "tests/support/field_check.h"
-#include "tests/support/mesh_edits.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/mesh_edits.h"
+#include "tests/support/meshes/planar_meshes.h"
 #include "tests/support/vec.h"
 
 namespace geodesic::test {

@@ -17,10 +17,10 @@
 #include "absl/strings/match.h"
 #include "tests/core/approximate/method_check.h"
 #include "tests/support/checkpoints.h"
-#include "tests/support/crowded_meshes.h"
-#include "tests/support/curved_meshes.h"
-#include "tests/support/mesh_edits.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/crowded_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/mesh_edits.h"
+#include "tests/support/meshes/planar_meshes.h"
 #include "tests/support/random.h"
 
 namespace geodesic::test {

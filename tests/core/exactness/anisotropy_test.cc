@@ -10,11 +10,11 @@
 #include "absl/strings/str_cat.h"
 #include "geodesic/mesh_summary.h"
 #include "tests/core/exactness/every_algorithm.h"
-#include "tests/support/curved_meshes.h"
-#include "tests/support/developable_meshes.h"
-#include "tests/support/mesh_edits.h"
-#include "tests/support/planar_meshes.h"
-#include "tests/support/polyhedra.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/developable_meshes.h"
+#include "tests/support/meshes/mesh_edits.h"
+#include "tests/support/meshes/planar_meshes.h"
+#include "tests/support/meshes/polyhedra.h"
 
 namespace geodesic::test {
 namespace {

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "tests/core/exactness/every_algorithm.h"
-#include "tests/support/curved_meshes.h"
-#include "tests/support/developable_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/developable_meshes.h"
+#include "tests/support/meshes/planar_meshes.h"
 #include "tests/support/oracles/cgal_oracle.h"
-#include "tests/support/planar_meshes.h"
 
 namespace geodesic::test {
 namespace {

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "tests/core/exactness/every_algorithm.h"
-#include "tests/support/curved_meshes.h"
-#include "tests/support/mesh_edits.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/mesh_edits.h"
+#include "tests/support/meshes/planar_meshes.h"
 #include "tests/support/oracles/planar_oracles.h"
-#include "tests/support/planar_meshes.h"
 
 namespace geodesic::test {
 namespace {

@@ -12,9 +12,9 @@
 
 #include "absl/strings/str_cat.h"
 #include "tests/core/exactness/every_algorithm.h"
-#include "tests/support/developable_meshes.h"
-#include "tests/support/mesh_edits.h"
-#include "tests/support/polyhedra.h"
+#include "tests/support/meshes/developable_meshes.h"
+#include "tests/support/meshes/mesh_edits.h"
+#include "tests/support/meshes/polyhedra.h"
 
 namespace geodesic::test {
 namespace {

@@ -20,8 +20,8 @@
 #include "absl/strings/str_cat.h"
 #include "geodesic_types/algorithms.h"
 #include "tests/support/field_check.h"
+#include "tests/support/meshes/test_meshes.h"
 #include "tests/support/oracles/brute_force.h"
-#include "tests/support/test_meshes.h"
 #include "tests/support/vec.h"
 
 namespace geodesic {

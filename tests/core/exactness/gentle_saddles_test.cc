@@ -10,7 +10,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "tests/core/exactness/every_algorithm.h"
-#include "tests/support/curved_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
 #include "tests/support/oracles/edge_paths.h"
 #include "tests/support/oracles/strip_paths.h"
 

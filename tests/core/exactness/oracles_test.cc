@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/curved_meshes.h"
-#include "tests/support/developable_meshes.h"
 #include "tests/support/field_check.h"
-#include "tests/support/mesh_edits.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/developable_meshes.h"
+#include "tests/support/meshes/mesh_edits.h"
+#include "tests/support/meshes/planar_meshes.h"
+#include "tests/support/meshes/polyhedra.h"
 #include "tests/support/oracles/brute_force.h"
 #include "tests/support/oracles/planar_domain.h"
 #include "tests/support/oracles/strip_paths.h"
-#include "tests/support/planar_meshes.h"
-#include "tests/support/polyhedra.h"
 #include "tests/support/surface_points.h"
 #include "tests/support/vec.h"
 

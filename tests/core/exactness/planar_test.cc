@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "tests/core/exactness/every_algorithm.h"
+#include "tests/support/meshes/planar_meshes.h"
 #include "tests/support/oracles/planar_domain.h"
-#include "tests/support/planar_meshes.h"
 #include "tests/support/random.h"
 #include "tests/support/vec.h"
 

@@ -17,7 +17,7 @@
 #include "geodesic/target_search.h"
 #include "geodesic/triangle_soup.h"
 #include "tests/support/field_check.h"
-#include "tests/support/needle_meshes.h"
+#include "tests/support/meshes/needle_meshes.h"
 #include "tests/support/oracles/brute_force.h"
 #include "tests/support/queries.h"
 #include "tests/support/random.h"

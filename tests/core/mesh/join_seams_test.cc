@@ -26,8 +26,8 @@
 #include "geodesic/valid_query.h"
 #include "geodesic_types/algorithms.h"
 #include "tests/support/checkpoints.h"
-#include "tests/support/planar_meshes.h"
-#include "tests/support/polyhedra.h"
+#include "tests/support/meshes/planar_meshes.h"
+#include "tests/support/meshes/polyhedra.h"
 
 namespace geodesic {
 namespace {

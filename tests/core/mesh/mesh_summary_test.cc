@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "gtest/gtest.h"
-#include "tests/support/curved_meshes.h"
-#include "tests/support/planar_meshes.h"
-#include "tests/support/test_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/planar_meshes.h"
+#include "tests/support/meshes/test_meshes.h"
 
 namespace geodesic {
 namespace {

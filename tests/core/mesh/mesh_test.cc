@@ -17,8 +17,8 @@
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 #include "tests/support/checkpoints.h"
-#include "tests/support/curved_meshes.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/planar_meshes.h"
 
 namespace geodesic {
 namespace {

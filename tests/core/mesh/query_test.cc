@@ -10,7 +10,7 @@
 #include "geodesic_types/field_path.h"
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/planar_meshes.h"
 
 namespace geodesic {
 namespace {

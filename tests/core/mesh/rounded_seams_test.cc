@@ -13,7 +13,7 @@
 #include "geodesic/join_seams.h"
 #include "geodesic/mesh.h"
 #include "geodesic/mesh_summary.h"
-#include "tests/support/polyhedra.h"
+#include "tests/support/meshes/polyhedra.h"
 #include "tests/support/random.h"
 
 namespace geodesic {

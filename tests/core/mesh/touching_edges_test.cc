@@ -12,7 +12,7 @@
 #include "geodesic/join_seams.h"
 #include "geodesic/mesh.h"
 #include "geodesic/mesh_summary.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/planar_meshes.h"
 
 namespace geodesic {
 namespace {

@@ -14,11 +14,11 @@
 
 #include "absl/status/status.h"
 #include "geodesic/landmarks.h"
-#include "tests/support/curved_meshes.h"
 #include "tests/support/field_check.h"
-#include "tests/support/mesh_edits.h"
-#include "tests/support/planar_meshes.h"
-#include "tests/support/polyhedra.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/mesh_edits.h"
+#include "tests/support/meshes/planar_meshes.h"
+#include "tests/support/meshes/polyhedra.h"
 #include "tests/support/random.h"
 #include "tests/support/surface_points.h"
 

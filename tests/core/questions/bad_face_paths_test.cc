@@ -10,11 +10,11 @@
 
 #include "absl/strings/str_cat.h"
 #include "tests/core/questions/path_check.h"
-#include "tests/support/curved_meshes.h"
 #include "tests/support/field_check.h"
-#include "tests/support/mesh_edits.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/mesh_edits.h"
+#include "tests/support/meshes/planar_meshes.h"
 #include "tests/support/oracles/brute_force.h"
-#include "tests/support/planar_meshes.h"
 #include "tests/support/random.h"
 #include "tests/support/vec.h"
 

@@ -17,12 +17,12 @@
 #include "geodesic/path.h"
 #include "tests/core/exactness/every_algorithm.h"
 #include "tests/core/questions/path_check.h"
-#include "tests/support/curved_meshes.h"
-#include "tests/support/developable_meshes.h"
-#include "tests/support/mesh_edits.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/developable_meshes.h"
+#include "tests/support/meshes/mesh_edits.h"
+#include "tests/support/meshes/planar_meshes.h"
+#include "tests/support/meshes/polyhedra.h"
 #include "tests/support/oracles/planar_oracles.h"
-#include "tests/support/planar_meshes.h"
-#include "tests/support/polyhedra.h"
 #include "tests/support/surface_points.h"
 
 namespace geodesic::test {

@@ -21,10 +21,10 @@
 #include "geodesic/trace.h"
 #include "geodesic_types/algorithms.h"
 #include "tests/support/checkpoints.h"
-#include "tests/support/crowded_meshes.h"
-#include "tests/support/curved_meshes.h"
 #include "tests/support/every_question.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/crowded_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/planar_meshes.h"
 #include "tests/support/queries.h"
 
 namespace geodesic::test {

@@ -1,7 +1,7 @@
 // Every file of the test meshes that lie outside the project, against what an
 // independent reader saw in them (INDEX.tsv).
 
-#include "tests/support/test_meshes.h"
+#include "tests/support/meshes/test_meshes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

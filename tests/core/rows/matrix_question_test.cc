@@ -16,7 +16,7 @@
 #include "geodesic/rows/matrix.h"
 #include "geodesic_types/field_path.h"
 #include "tests/core/rows/counting_means.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/planar_meshes.h"
 #include "tests/support/queries.h"
 
 namespace geodesic {

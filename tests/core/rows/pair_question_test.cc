@@ -18,8 +18,8 @@
 #include "geodesic_types/field_path.h"
 #include "tests/core/rows/counting_means.h"
 #include "tests/support/checkpoints.h"
-#include "tests/support/mesh_edits.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/mesh_edits.h"
+#include "tests/support/meshes/planar_meshes.h"
 
 namespace geodesic {
 namespace {

@@ -17,8 +17,8 @@
 #include "geodesic/solve.h"
 #include "tests/core/exactness/every_algorithm.h"
 #include "tests/support/checkpoints.h"
-#include "tests/support/curved_meshes.h"
-#include "tests/support/mesh_edits.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/mesh_edits.h"
 #include "tests/support/random.h"
 
 namespace geodesic::test {

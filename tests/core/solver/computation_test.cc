@@ -18,9 +18,9 @@
 #include "absl/status/status.h"
 #include "tests/core/exactness/every_algorithm.h"
 #include "tests/support/checkpoints.h"
-#include "tests/support/curved_meshes.h"
-#include "tests/support/mesh_edits.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/mesh_edits.h"
+#include "tests/support/meshes/planar_meshes.h"
 #include "tests/support/surface_points.h"
 
 namespace geodesic::test {

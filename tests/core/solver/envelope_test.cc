@@ -1,4 +1,4 @@
-#include "solver/rules/envelope.h"
+#include "solver/trimming/envelope.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Which windows are pieces of one: a mistake here shows in distances only where
 // many things come together.
 
-#include "solver/rules/fragments.h"
+#include "solver/trimming/fragments.h"
 
 #include "gtest/gtest.h"
 

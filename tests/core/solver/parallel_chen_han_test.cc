@@ -13,10 +13,10 @@
 
 #include "geodesic/solve.h"
 #include "tests/support/checkpoints.h"
-#include "tests/support/curved_meshes.h"
 #include "tests/support/field_check.h"
-#include "tests/support/mesh_edits.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/mesh_edits.h"
+#include "tests/support/meshes/planar_meshes.h"
 
 namespace geodesic {
 namespace {

@@ -18,10 +18,10 @@
 #include "solver/rules/list_worker.h"
 #include "solver/start_computation.h"
 #include "solver/windows/window_blocks.h"
-#include "tests/support/curved_meshes.h"
 #include "tests/support/field_check.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/planar_meshes.h"
 #include "tests/support/oracles/brute_force.h"
-#include "tests/support/planar_meshes.h"
 
 namespace geodesic {
 namespace {

@@ -13,9 +13,9 @@
 #include "solver/rules/ch_rule.h"
 #include "solver/rules/list_rule.h"
 #include "solver/rules/mmp_rule.h"
-#include "tests/support/curved_meshes.h"
 #include "tests/support/field_check.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/planar_meshes.h"
 
 namespace geodesic {
 namespace {

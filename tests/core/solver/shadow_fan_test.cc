@@ -13,8 +13,8 @@
 
 #include "geodesic/mesh.h"
 #include "geodesic/triangle_soup.h"
-#include "tests/support/curved_meshes.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/planar_meshes.h"
 
 namespace geodesic {
 namespace {

@@ -15,12 +15,12 @@
 #include "geodesic/computation.h"
 #include "geodesic/solve.h"
 #include "geodesic/valid_query.h"
-#include "tests/support/curved_meshes.h"
 #include "tests/support/field_check.h"
-#include "tests/support/mesh_edits.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/mesh_edits.h"
+#include "tests/support/meshes/planar_meshes.h"
+#include "tests/support/meshes/test_meshes.h"
 #include "tests/support/surface_points.h"
-#include "tests/support/test_meshes.h"
 #include "tests/support/vec.h"
 
 namespace geodesic::test {

@@ -13,7 +13,7 @@
 #include "geodesic/rows/matrix.h"
 #include "geodesic/surface_point.h"
 #include "tests/engine/engine_fixture.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/planar_meshes.h"
 
 namespace geodesic::server {
 namespace {

@@ -15,8 +15,8 @@
 #include "geodesic_types/field_path.h"
 #include "server/engine/pairs/pair_order.h"
 #include "tests/engine/engine_fixture.h"
-#include "tests/support/curved_meshes.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
+#include "tests/support/meshes/planar_meshes.h"
 
 namespace geodesic::server {
 namespace {

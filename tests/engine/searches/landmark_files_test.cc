@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "tests/engine/durable_fixture.h"
-#include "tests/support/curved_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
 
 namespace geodesic::server {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "tests/engine/fakes.h"
-#include "tests/support/curved_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
 
 namespace geodesic::server {
 namespace {

@@ -37,7 +37,7 @@
 #include "tests/engine/fakes.h"
 #include "tests/engine/uploads.h"
 #include "tests/fuzz/rpc/fake_call.h"
-#include "tests/support/curved_meshes.h"
+#include "tests/support/meshes/curved_meshes.h"
 
 namespace geodesic::server::test {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geodesic/triangle_soup.h"
-#include "tests/support/planar_meshes.h"
+#include "tests/support/meshes/planar_meshes.h"
 #include "tests/support/vec.h"
 
 namespace geodesic::test {

@@ -12,10 +12,10 @@
 
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
-#include "solver/rules/envelope.h"
 #include "solver/rules/face_corners.h"
 #include "solver/rules/list_kernels.h"
 #include "solver/rules/shadow_fan.h"
+#include "solver/trimming/envelope.h"
 #include "solver/windows/window.h"
 #include "solver/windows/window_columns.h"
 

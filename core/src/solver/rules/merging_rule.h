@@ -45,7 +45,7 @@
 #include "solver/rules/passed_windows.h"
 #include "solver/rules/shadow_fan.h"
 #include "solver/rules/winding.h"
-#include "solver/rules/window_envelope.h"
+#include "solver/trimming/window_envelope.h"
 #include "solver/windows/window.h"
 #include "solver/windows/window_lists.h"
 #include "solver/windows/window_pool.h"

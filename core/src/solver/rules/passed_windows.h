@@ -39,7 +39,7 @@
 
 #include "geodesic/mesh.h"
 #include "solver/rules/crossing_counter.h"
-#include "solver/rules/trimming.h"
+#include "solver/trimming/trimming.h"
 #include "solver/windows/window.h"
 
 namespace geodesic {
