@@ -332,14 +332,20 @@ TEST_F(AnswersTest, SamplesAndLogMapsAreTheirArrays) {
 }
 
 // A pair's path is handed out after its distance, whichever comes first.
+// Also in the second of two calls.
 TEST_F(AnswersTest, PathsOfPairsFollowTheirDistances) {
   Message header = LineHeader(1);
   header.Doubles("distance", {1});
-  Play({header, Points(0, {0, 0}).Put(0, 0, L{2}),
-        Message().Put(5, 0, D{3}).Trailer()});
+  const auto call = [&](double distance) {
+    return Stream{{header, Points(0, {0, 0}).Put(0, 0, L{2}),
+                   Message().Put(5, 0, D{distance}).Trailer()}};
+  };
+  Play({call(3), call(4)});
   std::string order;
   const absl::StatusOr<PairSummary> summary = client_->ComputePairs(
-      {.pairs = {{VertexPoint{0}, VertexPoint{1}}}, .paths = true},
+      {.pairs = {{VertexPoint{0}, VertexPoint{1}},
+                 {VertexPoint{0}, VertexPoint{2}}},
+       .paths = true},
       {.on_distances =
            [&](uint64_t first, std::span<const double> distances) {
              absl::StrAppend(&order, "distance ", distances[0], " of ", first,
@@ -348,11 +354,14 @@ TEST_F(AnswersTest, PathsOfPairsFollowTheirDistances) {
            },
        .on_path =
            [&](uint64_t pair, const Polyline& path) {
-             absl::StrAppend(&order, path.points.size(), " points of ", pair);
+             absl::StrAppend(&order, path.points.size(), " points of ", pair,
+                             "; ");
              return absl::OkStatus();
            }});
   ASSERT_TRUE(summary.ok()) << summary.status();
-  EXPECT_EQ(order, "distance 3 of 0; 2 points of 0");
+  EXPECT_EQ(order,
+            "distance 3 of 0; 2 points of 0; "
+            "distance 4 of 1; 2 points of 1; ");
 }
 
 }  // namespace

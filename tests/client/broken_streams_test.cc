@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <cstdint>
+#include <deque>
 #include <utility>
 
 #include "geodesic_client/client.h"
@@ -40,6 +43,10 @@ TEST_F(BrokenStreamTest, WhatIsNotKeptIsAskedForAnew) {
   ASSERT_TRUE(field.ok()) << field.status();
   EXPECT_THAT(field->distances, ElementsAre(0, 1, 2));
   EXPECT_THAT(Received(), ElementsAre(IsEmpty(), ElementsAre(2), IsEmpty()));
+  // Not for ever.
+  Play(std::deque<Stream>(9, {{}, NotKept()}));
+  EXPECT_EQ(ErrorReason(client_->ComputeField({}).status()), "ANSWER_NOT_KEPT");
+  EXPECT_THAT(service_.Resumptions(), SizeIs(4));
 }
 
 TEST_F(BrokenStreamTest, WhatHasNoNameIsAskedForAnew) {
@@ -63,6 +70,30 @@ TEST_F(BrokenStreamTest, IsNotReadOnForEver) {
         {{header_, rest_}}});
   EXPECT_TRUE(absl::IsUnavailable(client_->ComputeField({}).status()));
   EXPECT_THAT(service_.Resumptions(), SizeIs(4));
+}
+
+// What was handed out would be there twice.
+TEST_F(BrokenStreamTest, AProgressiveFieldIsNotReadOn) {
+  const Message header =
+      Message().Words("settled_vertex", {-1}).Doubles("settled_distance", {-1});
+  const Message whole =
+      Message().Put(0, 0, W{2, 0, 1}).Put(1, 0, D{0, 1, 2}).Trailer();
+  size_t settled = 0;
+  const auto stream = [&] {
+    settled = 0;
+    return client_->StreamField({}, [&](auto more) { settled += more.size(); })
+        .status();
+  };
+  Play({{{header, Message().Put(0, 0, W{2}).Put(1, 0, D{0})}, Broken()},
+        {{header, whole}}});
+  EXPECT_TRUE(absl::IsUnavailable(stream()));
+  EXPECT_EQ(settled, 1);
+  EXPECT_THAT(service_.Resumptions(), SizeIs(1));
+  // Before that it is asked for anew.
+  Play({{{header}, Broken()}, {{header, whole}}});
+  EXPECT_TRUE(stream().ok());
+  EXPECT_EQ(settled, 3);
+  EXPECT_EQ(service_.Resumptions()[1].answer_id(), "");
 }
 
 TEST_F(BrokenStreamTest, OtherErrorsAreFinal) {
@@ -91,6 +122,21 @@ TEST_F(BrokenMatrixTest, IsReadOnWhereItBroke) {
   ASSERT_TRUE(Ask().ok());
   EXPECT_THAT(Received(), ElementsAre(IsEmpty(), ElementsAre(4)));
   EXPECT_THAT(matrix_.shape, ElementsAre(2, 3));
+  EXPECT_THAT(matrix_.rows, ElementsAre(std::pair(W{}, D{1, 2, 3}),
+                                        std::pair(W{}, D{4, 5, 6})));
+}
+
+// However often it breaks.
+TEST_F(BrokenMatrixTest, IsReadOnAsLongAsSomethingComes) {
+  std::deque<Stream> script;
+  for (uint64_t i = 0; i < 5; ++i) {
+    script.push_back(
+        {{dense_, Message().Put(0, i, D{1.0 + static_cast<double>(i)})},
+         Broken()});
+  }
+  script.push_back({{dense_, Message().Put(0, 5, D{6}).Trailer()}});
+  Play(std::move(script));
+  ASSERT_TRUE(Ask().ok());
   EXPECT_THAT(matrix_.rows, ElementsAre(std::pair(W{}, D{1, 2, 3}),
                                         std::pair(W{}, D{4, 5, 6})));
 }

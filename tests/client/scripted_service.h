@@ -18,6 +18,7 @@
 
 #include "absl/status/status.h"
 #include "absl/strings/str_cat.h"
+#include "geodesic/v1/capabilities_service.grpc.pb.h"
 #include "geodesic/v1/question_service.grpc.pb.h"
 #include "geodesic_client/client.h"
 #include "google/rpc/error_details.pb.h"
@@ -102,6 +103,18 @@ class ScriptedService final : public v1::QuestionService::Service {
   std::mutex mutex_;
   std::deque<Stream> script_;
   std::vector<v1::Resumption> resumptions_;
+};
+
+// That one call takes one pair.
+class OnePairCapabilities final : public v1::CapabilitiesService::Service {
+ public:
+  grpc::Status GetCapabilities(grpc::ServerContext*,
+                               const v1::GetCapabilitiesRequest*,
+                               v1::GetCapabilitiesResponse* response) override {
+    response->mutable_limits()->set_max_message_bytes(1 << 20);
+    response->mutable_limits()->set_max_pairs(1);
+    return grpc::Status::OK;
+  }
 };
 
 template <typename Detail>
@@ -195,6 +208,7 @@ class AnswersTest : public ::testing::Test {
     builder.AddListeningPort("127.0.0.1:0", grpc::InsecureServerCredentials(),
                              &port);
     builder.RegisterService(&service_);
+    builder.RegisterService(&capabilities_);
     server_ = builder.BuildAndStart();
     ASSERT_NE(server_, nullptr);
     client_ = std::make_unique<Client>(absl::StrCat("127.0.0.1:", port));
@@ -217,6 +231,7 @@ class AnswersTest : public ::testing::Test {
   }
 
   ScriptedService service_;
+  OnePairCapabilities capabilities_;
   std::unique_ptr<grpc::Server> server_;
   std::unique_ptr<Client> client_;
 };

@@ -212,10 +212,18 @@ TEST_F(OutcomeTest, WhatIsDerivedIsSetAsideToo) {
     return bytes;
   };
   const uint64_t alone = set_aside(Field(0));
-  FieldRequest request = Field(1);
-  request.extras.gradients = true;
   const uint64_t vertices = geodesic::test::Icosphere(2).positions.size();
-  EXPECT_GE(set_aside(request), alone + vertices * sizeof(Point));
+  uint32_t source = 0;
+  // Another source each time, since fields are kept.
+  const auto expect = [&](const FieldExtras& extras, uint64_t per_vertex) {
+    FieldRequest request = Field(++source);
+    request.extras = extras;
+    EXPECT_GE(set_aside(request),
+              alone + vertices * per_vertex + sizeof(DerivedQuantities));
+  };
+  expect({.nearest_sources = true}, sizeof(uint32_t));
+  expect({.gradients = true}, sizeof(Point));
+  expect({.log_map = true}, 2 * sizeof(double));
   ExpectNothingHeld();
 }
 

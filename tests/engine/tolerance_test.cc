@@ -86,6 +86,16 @@ TEST_F(EngineToleranceTest, SoDoesOneThatKeepsPaths) {
   EXPECT_EQ(answer.field, traced.field);
 }
 
+// What is certified of each vertex lies beside its distance.
+TEST_F(EngineToleranceTest, TheyTakeMoreOfTheCache) {
+  const FieldCache& cache = engine().fields().cache();
+  Within(1e-2);
+  const uint64_t within = cache.used_bytes();
+  Within(0);
+  const uint64_t exact = cache.used_bytes() - within;
+  EXPECT_GE(within, exact + mesh_->mesh->vertex_count() * sizeof(float));
+}
+
 TEST_F(EngineToleranceTest, NoFieldWithinOneAnswersForAnother) {
   const FieldAnswer fine = Within(1e-5);
   const FieldAnswer coarse = Within(1e-2);

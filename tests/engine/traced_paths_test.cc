@@ -76,6 +76,7 @@ class TracedPathsTest : public test::EngineTest {
 
 TEST_F(TracedPathsTest, LeadToTheirTargetsInOrder) {
   constexpr double kRadius = 9;
+  Ask(30);  // a field that is there may reach further
   Ask(kRadius);
   const auto rows = Trace();
   EXPECT_FALSE(rows->Take().has_value()) << "no job has run";

@@ -65,6 +65,21 @@ TEST_F(HeldRequestsTest, WhoTakesNothingIsCutOff) {
   for (const auto& call : stalled) EXPECT_FALSE(call->End().ok());
 }
 
+// The message that comes with the end of the call.
+TEST_F(HeldRequestsTest, WhoDoesNotTakeTheLastMessageIsCutOff) {
+  ServerOptions options = Watched();
+  options.send_patience = std::chrono::seconds(1);
+  Start(options);
+  // 320 KiB of distances are one message. From the cache there is no other.
+  const std::string digest = Upload(geodesic::test::Icosphere(6));
+  ASSERT_TRUE(Ask(digest, 0).status.ok());
+  questions_ = v1::QuestionService::NewStub(SlowChannel(server_->port()));
+  const auto call = Open(digest, 0);
+  ASSERT_TRUE(Measures(
+      R"(geodesic_requests_total{code="DEADLINE_EXCEEDED",method="ComputeField"} 1)"));
+  EXPECT_FALSE(call->End().ok());
+}
+
 TEST_F(HeldRequestsTest, WhoWaitsHearsSo) {
   ServerOptions options = SmallServer();
   options.limits.max_concurrent_jobs = 1;
@@ -177,6 +192,29 @@ TEST_F(HeldRequestsTest, NoClientTakesAllRequests) {
   EXPECT_TRUE(Measures("\ngeodesic_active_requests 0\n"));
   EXPECT_TRUE(open("many").ok());
   EXPECT_TRUE(calls.back()->End().ok());
+}
+
+// Without tokens a client is an address, however many connections it has.
+TEST_F(HeldRequestsTest, NorByManyConnections) {
+  ServerOptions options = Watched();
+  options.max_requests = 8;
+  Start(options, /*held=*/true);
+  const std::string digest = Upload(test::Tetrahedron());
+  ASSERT_TRUE(Measures("\ngeodesic_active_requests 0\n"));
+  std::vector<std::unique_ptr<test::OpenCall>> calls;
+  for (int i = 0; i < 6; ++i) {
+    if (i == 3) {
+      questions_ = v1::QuestionService::NewStub(SlowChannel(server_->port()));
+    }
+    calls.push_back(Open(digest, 0));
+    ASSERT_TRUE(calls.back()->Read()) << i;
+  }
+  const auto call = Open(digest, 0);
+  EXPECT_FALSE(call->Read());
+  EXPECT_THAT(call->reader->Finish().error_message(),
+              HasSubstr("127.0.0.1 has 6"));
+  solver_.LetGo();
+  for (const auto& held : calls) EXPECT_TRUE(held->End().ok());
 }
 
 TEST_F(HeldRequestsTest, WhoWaitsMayAskWhetherTheServerIsThere) {

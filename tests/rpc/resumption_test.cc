@@ -172,6 +172,19 @@ TEST_F(ResumptionTest, RowsThatHaveComeAreNotComputedAgain) {
             whole.trailer().windows_propagated());
 }
 
+// As far off as was allowed, though the rows that are left are less so.
+TEST_F(ResumptionTest, RowsThatHaveComeAreCertifiedToTheTolerance) {
+  UseLargeGrid();
+  auto request = From<v1::ComputeMatrixRequest>(0);
+  for (uint32_t i = 1; i < 4; ++i) request.add_sources()->set_vertex(i * 777);
+  request.set_tolerance(0.01);
+  const Reply whole = Answered(request);
+  EXPECT_LT(whole.trailer().certified_error(), 0.01);
+  request.mutable_resumption()->set_answer_id(whole.answer_id());
+  request.mutable_resumption()->add_received(3 * 101 * 101);
+  EXPECT_EQ(Answered(request).trailer().certified_error(), 0.01);
+}
+
 TEST_F(ResumptionTest, OfNearestTargets) {
   v1::FindNearestRequest request;
   request.set_mesh_digest(digest_);

@@ -99,13 +99,18 @@ TEST_F(AcceptorTest, TheLastDescriptorsAreForOthers) {
 
 TEST_F(AcceptorTest, ServesAgainOnceThereAreDescriptors) {
   Allow(64);
-  const FileDescriptor client = Client();
+  const FileDescriptor client = Client(), another = Client();
   std::vector<FileDescriptor> all;
   do {
     all.emplace_back(dup(0));
   } while (all.back().get() >= 0);
   Connect(client);
   EXPECT_TRUE(IsClosed(client));
+  Connect(another);
+  EXPECT_TRUE(test::Until([&] {
+    char byte = 0;
+    return recv(another.get(), &byte, 1, MSG_DONTWAIT) == 0;
+  }));
   EXPECT_EQ(accepted(), 0u);
   all.clear();
   ExpectServed();

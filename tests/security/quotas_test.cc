@@ -105,5 +105,16 @@ TEST_F(QuotasTest, MemoryCountsUntilItIsGone) {
   EXPECT_TRUE((*quotas_.TakeJob(ci))->ReserveBytes(2 * bytes - 1).ok());
 }
 
+TEST_F(QuotasTest, AnUploadGivesAllBackThatItTookPieceByPiece) {
+  const Caller ci = Named("ci", {.resident_bytes = 1000});
+  for (int round = 0; round < 2; ++round) {
+    const auto upload = quotas_.TakeJob(ci);
+    ASSERT_TRUE(upload.ok());
+    EXPECT_TRUE((*upload)->ReserveBytes(600).ok()) << round;
+    EXPECT_TRUE((*upload)->ReserveBytes(400).ok()) << round;
+    ExpectExceeded((*upload)->ReserveBytes(1), true);
+  }
+}
+
 }  // namespace
 }  // namespace geodesic::server

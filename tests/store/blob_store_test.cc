@@ -10,10 +10,12 @@
 #include <vector>
 
 #include "tests/store/blob_fixture.h"
+#include "tests/support/until.h"
 
 namespace geodesic::server {
 namespace {
 
+using geodesic::test::Until;
 using test::Name;
 using test::Put;
 using test::Read;
@@ -158,6 +160,22 @@ TEST_F(TwoBlobsTest, WhatCannotFitEvictsNothing) {
   EXPECT_TRUE(Put(*store_, Name('b'), std::string(kTwo - kExtra, 'x')).ok());
 }
 
+// Nor does what could, but for another that is being written.
+TEST_F(TwoBlobsTest, WhatFindsNoRoomEvictsNothing) {
+  ASSERT_TRUE(Put(*store_, Name('a'), ten_).ok());
+  EXPECT_TRUE(
+      store_
+          ->Put(Name('b'), "", 1,
+                [&](BlobSink& sink) {
+                  const absl::Status status =
+                      Put(*store_, Name('c'), std::string(kTwo - kExtra, 'x'));
+                  EXPECT_TRUE(absl::IsResourceExhausted(status)) << status;
+                  return sink.Append("x");
+                })
+          .ok());
+  EXPECT_THAT(Names(*store_), ElementsAre(Name('a'), Name('b')));
+}
+
 TEST_F(TwoBlobsTest, RecencyOutlivesARestart) {
   ASSERT_TRUE(Put(*store_, Name('a'), ten_).ok());
   ASSERT_TRUE(Put(*store_, Name('b'), ten_).ok());
@@ -170,10 +188,11 @@ TEST_F(TwoBlobsTest, RecencyOutlivesARestart) {
   ASSERT_TRUE(Put(*store_, Name('c'), ten_).ok());
   EXPECT_THAT(Names(*store_), ElementsAre(Name('b'), Name('c')));
 
-  fs::last_write_time(b, fs::last_write_time(b) - std::chrono::hours(1));
+  // To be read is to be used.
+  const fs::path c = FileOf(Name('c'));
+  fs::last_write_time(b, fs::last_write_time(c) - std::chrono::hours(2));
+  fs::last_write_time(c, fs::last_write_time(c) - std::chrono::hours(1));
   ASSERT_TRUE(Read(*store_, Name('b')).ok());
-  fs::last_write_time(FileOf(Name('c')),
-                      fs::last_write_time(b) - std::chrono::hours(1));
   ASSERT_TRUE(Open(kTwo).ok());
   ASSERT_TRUE(Put(*store_, Name('d'), ten_).ok());
   EXPECT_THAT(Names(*store_), ElementsAre(Name('b'), Name('d')));
@@ -307,6 +326,46 @@ TEST_F(BlobStoreTest, ErrorsOfTheReaderAreItsOwn) {
   EXPECT_TRUE(absl::IsInternal(partial)) << partial;
   EXPECT_TRUE(Read(*store_, Name('a')).ok());
   EXPECT_EQ(quarantined(), 0);
+}
+
+TEST_F(BlobStoreTest, WhatReplacedADamagedBlobIsNotSetAside) {
+  ASSERT_TRUE(Open().ok());
+  ASSERT_TRUE(Put(*store_, Name('a'), "the old").ok());
+  EXPECT_TRUE(absl::IsDataLoss(
+      store_->Read(Name('a'), [&](std::string_view, BlobBody&) {
+        EXPECT_TRUE(Put(*store_, Name('a'), "the new").ok());
+        return absl::DataLossError("damaged");
+      })));
+  EXPECT_EQ(Read(*store_, Name('a')).value_or("gone"), "the new");
+  EXPECT_EQ(quarantined(), 0);
+}
+
+// Of one name, each time: whichever comes first, the index has what the folder
+// has.
+TEST_F(BlobStoreTest, AReplacementAndAnErasureFollowEachOther) {
+  ASSERT_TRUE(Open().ok());
+  const auto inode = [this] {
+    struct stat facts {};
+    return stat(FileOf(Name('a')).c_str(), &facts) == 0 ? facts.st_ino : 0;
+  };
+  for (int round = 0; round < 50; ++round) {
+    ASSERT_TRUE(Put(*store_, Name('a'), "the old").ok());
+    const ino_t old = inode();
+    const bool is_late = round % 2 != 0;
+    {
+      const std::jthread put(
+          [&] { EXPECT_TRUE(Put(*store_, Name('a'), "the new").ok()); });
+      const std::jthread erase([&] {
+        // As soon as the new file has its name, before it is flushed.
+        if (is_late) EXPECT_TRUE(Until([&] { return inode() != old; }));
+        EXPECT_TRUE(store_->Erase(Name('a')).ok());
+      });
+    }
+    ASSERT_EQ(store_->size(), files()) << round;
+    if (is_late) EXPECT_EQ(store_->size(), 0);
+    EXPECT_EQ(store_->used_bytes(), store_->size() * kBlock);
+    if (store_->size() > 0) EXPECT_EQ(*Read(*store_, Name('a')), "the new");
+  }
 }
 
 // Puts, reads and erasures of the same few names from many threads: the index

@@ -13,7 +13,9 @@
 #include <vector>
 
 #include "geodesic/approximate/prepare.h"
+#include "geodesic/computation.h"
 #include "geodesic/rows/matrix.h"
+#include "geodesic/target_search.h"
 #include "geodesic_types/field_path.h"
 #include "tests/core/rows/counting_means.h"
 #include "tests/support/meshes/planar_meshes.h"
@@ -79,8 +81,14 @@ class MatrixQuestionTest : public ::testing::Test {
     for (uint64_t line = lines.size(); line-- > 0;) {
       table.Add(line, lines[line]);
     }
+    const double error =
+        std::ranges::max(lines, {}, &DistanceRow::certified_error)
+            .certified_error;
     std::vector<DistanceRow> rows;
-    for (uint64_t row = 0; row < count; ++row) rows.push_back(table.Row(row));
+    for (uint64_t row = 0; row < count; ++row) {
+      rows.push_back(table.Row(row));
+      EXPECT_EQ(rows.back().certified_error, error);
+    }
     return rows;
   }
   std::vector<DistanceRow> Ask(const Query& query,
@@ -253,6 +261,26 @@ TEST_F(MatrixQuestionTest, ApproximateRowsAreFieldsOfTheMethod) {
   }
   EXPECT_EQ(means_.fields, 0);
   EXPECT_EQ(means_.loans, 0);
+}
+
+// A line's solver may be a field or a search. Beside it there are the field's
+// distances and those of the targets, which a sparse row has numbers for, and
+// within a tolerance what is certified of each vertex.
+TEST_F(MatrixQuestionTest, PlansForAllThatALineTakes) {
+  const uint64_t vertices = mesh_->vertex_count();
+  Query query = From(1, kTargets);
+  EXPECT_GE(Make(query)->PlannedBytes(),
+            TargetSearch::PlannedBytes(*mesh_, Valid(*mesh_, query)));
+  // With so many a field takes more.
+  query.targets.assign(200'000, VertexPoint{7});
+  EXPECT_GE(Make(query)->PlannedBytes(),
+            PlannedSolverBytes(*mesh_, Valid(*mesh_, query)));
+  constexpr uint64_t kInRow = sizeof(double) + sizeof(uint32_t);
+  EXPECT_GE(Make(query)->LineBytes(),
+            vertices * sizeof(double) + query.targets.size() * kInRow);
+  query = From(1, {});
+  query.tolerance = 1e-2;
+  EXPECT_GE(Make(query)->LineBytes(), vertices * (kInRow + sizeof(float)));
 }
 
 TEST_F(MatrixQuestionTest, WhatIsWrongIsNamed) {

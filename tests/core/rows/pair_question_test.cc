@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "geodesic/approximate/prepare.h"
-#include "geodesic/computation.h"
 #include "geodesic/rows/pairs.h"
 #include "geodesic/solve.h"
 #include "geodesic_types/field_path.h"
@@ -130,6 +129,17 @@ TEST_F(PairQuestionTest, AFieldAnswersManyThatShareAnEnd) {
   EXPECT_EQ(means_->fields, 1);
 }
 
+// The other ends are targets of a field.
+TEST_F(PairQuestionTest, PlansForTheOtherEndsOfARow) {
+  const std::vector<PointPair> pairs(kFieldInSearches,
+                                     {VertexPoint{0}, VertexPoint{120}});
+  const auto question = Make(pairs);
+  ASSERT_TRUE(question.ok()) << question.status();
+  EXPECT_GE((*question)->RowBytes(),
+            pairs.size() *
+                (sizeof(double) + sizeof(uint32_t) + sizeof(SurfacePoint)));
+}
+
 TEST_F(PairQuestionTest, AFieldThatIsThereAnswersBothWays) {
   means_->kept_source = VertexPoint{60};
   means_->kept_field = std::make_shared<const DistanceField>(
@@ -194,6 +204,14 @@ TEST_F(PairQuestionTest, ALaterRowAsksAgainForLandmarks) {
   ASSERT_TRUE((*question)->Answer(3, checkpoint_).ok());
   EXPECT_EQ(means_->makings, 3);
   EXPECT_NE(means_->landmarks(), nullptr);
+}
+
+TEST_F(PairQuestionTest, LandmarksAreMadeThoughTheirMakingWasStoppedBefore) {
+  test::RecordingCheckpoint stopped(0);
+  EXPECT_FALSE(means_->MakeLandmarks(4, stopped).ok());
+  const absl::StatusOr<bool> made = means_->MakeLandmarks(4, checkpoint_);
+  ASSERT_TRUE(made.ok()) << made.status();
+  EXPECT_TRUE(*made);
 }
 
 // What answers them changes the rounding at most.
@@ -331,20 +349,26 @@ TEST_F(PairQuestionTest, StopsWhereverItIsToldTo) {
   for (uint32_t i = 0; i < 8; ++i) {
     pairs.push_back({VertexPoint{i}, VertexPoint{120 - i}});
   }
-  const auto question = Make(pairs);
-  ASSERT_TRUE(question.ok()) << question.status();
-  test::RecordingCheckpoint whole;
-  ASSERT_TRUE((*question)->Answer(0, whole).ok());
-  // Of all searches together.
-  uint64_t windows = 0;
-  for (const Progress& poll : whole.polls()) {
-    EXPECT_GE(poll.windows_propagated, windows);
-    windows = poll.windows_propagated;
-  }
-  for (uint64_t poll = 0; poll < whole.polls().size(); ++poll) {
-    test::RecordingCheckpoint checkpoint(poll);
-    EXPECT_EQ((*question)->Answer(0, checkpoint).status(),
-              test::RecordingCheckpoint::Stopped());
+  const RowMethod graph{
+      ApproximateMethod::kSvg,
+      PrepareMethod(*mesh_, ApproximateMethod::kSvg, {}, checkpoint_).value()};
+  for (const PairOptions& options : {PairOptions{}, {.method = graph}}) {
+    const auto question = Make(pairs, options);
+    ASSERT_TRUE(question.ok()) << question.status();
+    test::RecordingCheckpoint whole;
+    ASSERT_TRUE((*question)->Answer(0, whole).ok());
+    EXPECT_GT(whole.polls().size(), 0);
+    // Of all searches together.
+    uint64_t windows = 0;
+    for (const Progress& poll : whole.polls()) {
+      EXPECT_GE(poll.windows_propagated, windows);
+      windows = poll.windows_propagated;
+    }
+    for (uint64_t poll = 0; poll < whole.polls().size(); ++poll) {
+      test::RecordingCheckpoint checkpoint(poll);
+      EXPECT_EQ((*question)->Answer(0, checkpoint).status(),
+                test::RecordingCheckpoint::Stopped());
+    }
   }
   // The search that was stopped answers the next question.
   ExpectEuclid(pairs);

@@ -132,6 +132,8 @@ TEST_F(JobQueueTest, WhatIsTakenOutIsGone) {
   EXPECT_FALSE(queue_.Remove(middle).has_value());
   EXPECT_EQ(queue_.places_of("a"), 1);
   EXPECT_EQ(queue_.size(), 2);
+  EXPECT_TRUE(queue_.Remove(Push(JobPriority::kSolve, "c")).has_value());
+  EXPECT_EQ(queue_.clients(), 2);
   EXPECT_EQ(StartAll(), (Numbers{0, 2}));
   EXPECT_EQ(queue_.places_of("a"), 0);
 }

@@ -164,6 +164,36 @@ TEST_F(RowPipelineTest, CancellingDropsWhatWaits) {
   EXPECT_EQ(calls_.use_count(), 1);
 }
 
+// Though their readers leave them standing.
+TEST_F(RowPipelineTest, ThoseWithNoRowToComeTakeNoPlace) {
+  std::vector<std::shared_ptr<RowPipeline>> open;
+  const auto start = [&](uint64_t rows) {
+    ASSERT_TRUE(open.emplace_back(Make(rows))->Start().ok());
+    executor_.RunAll();
+  };
+  for (int i = 0; i < 5; ++i) {
+    bad_row_ = 1;
+    start(10);
+    bad_row_ = 1000;
+    start(2);
+    start(10);
+    open.back()->Cancel();
+  }
+}
+
+TEST_F(RowPipelineTest, ARowIsChargedForWhatItTakes) {
+  const auto charge = [&](size_t values) {
+    return Charge(DistanceRow{.values = std::vector<double>(values)},
+                  *ByteReservation::Make(memory_, kRowBytes));
+  };
+  for (const size_t values : {1, 1000}) {
+    const absl::StatusOr<MatrixRow> row = charge(values);
+    ASSERT_TRUE(row.ok()) << row.status();
+    EXPECT_EQ(memory_->used(), values * sizeof(double));
+  }
+  EXPECT_TRUE(absl::IsResourceExhausted(charge(1 << 20).status()));
+}
+
 TEST_F(RowPipelineTest, DeadlinesHoldForEveryRow) {
   const auto rows = Make(10, clock_.Now() + std::chrono::seconds(1));
   ASSERT_TRUE(rows->Start().ok());

@@ -168,7 +168,7 @@ TEST_F(SchedulerTest, OneClientCannotFillTheQueue) {
   // jobs have no share.
   EXPECT_TRUE(submit("client:one").ok());
   EXPECT_TRUE(submit("client:many", /*is_continuation=*/true).ok());
-  for (int i = 0; i < 4; ++i) EXPECT_TRUE(submit("").ok());
+  for (int i = 0; i < 6; ++i) EXPECT_TRUE(submit("").ok());
   executor_.RunAll();
   EXPECT_TRUE(submit("client:many").ok());
   executor_.RunAll();

@@ -190,14 +190,32 @@ TEST_F(SharedJobsTest, ItStopsAtTheNextPollWhenTheLastHasLeft) {
 TEST_F(SharedJobsTest, NobodyJoinsAJobThatIsToStop) {
   const auto a = Join("x", a_);
   run_ = [&](JobCheckpoint& checkpoint) -> absl::StatusOr<std::optional<int>> {
-    if (started_.size() == 2) return 8;
+    if (started_.size() == 2) {
+      EXPECT_FALSE(Join("x", a_)->is_first);
+      return 8;
+    }
     jobs_.Leave(*a);
     EXPECT_TRUE(Join("x", b_)->is_first);
     return checkpoint.Poll({});
   };
   executor_.RunAll();
-  // The end of the one does not touch the other.
-  EXPECT_THAT(a_.results, IsEmpty());
+  // The end of the one does not touch the other, which others may join.
+  for (const Told* told : {&a_, &b_}) {
+    EXPECT_THAT(told->results, ElementsAre(absl::StatusOr<int>(8)));
+  }
+}
+
+TEST_F(SharedJobsTest, NorOneThatAllAreTooLateFor) {
+  ASSERT_TRUE(Join("x", a_, clock_.Now() + milliseconds(1)).ok());
+  run_ = [&](JobCheckpoint& checkpoint) -> absl::StatusOr<std::optional<int>> {
+    if (started_.size() == 2) return 8;
+    clock_.Advance(milliseconds(1));
+    absl::Status status = checkpoint.Poll({});
+    EXPECT_TRUE(Join("x", b_)->is_first);
+    return status;
+  };
+  executor_.RunAll();
+  EXPECT_TRUE(absl::IsDeadlineExceeded(a_.results.at(0).status()));
   EXPECT_THAT(b_.results, ElementsAre(absl::StatusOr<int>(8)));
 }
 

@@ -27,6 +27,7 @@ class TransposedMatrixTest : public test::EngineTest {
     start_ = [this](const Mesh& mesh, const ValidQuery& query,
                     const SolveOptions& options) {
       ++fields_;
+      used_ = engine_.solver_memory().used();
       return StartComputation(mesh, query, options);
     };
   }
@@ -101,6 +102,7 @@ class TransposedMatrixTest : public test::EngineTest {
   MeshHandle mesh_;
   // Of the last matrix:
   uint64_t fields_ = 0;    // computed, but by searches
+  uint64_t used_ = 0;      // of the memory for solvers, by the last of them
   uint64_t finished_ = 0;  // rows, as was told
 };
 
@@ -154,6 +156,18 @@ TEST_F(TransposedMatrixTest, HasTheBitsOfTheCore) {
       }
     }
   }
+}
+
+TEST_F(TransposedMatrixTest, ALineHasItsMemoryBeforeItBegins) {
+  const MatrixRequest request = Request(1, {});
+  Rows(request);
+  KeptSearches searches(*mesh_->mesh);
+  const MatrixQuestion question =
+      MatrixQuestion::Make(*mesh_->mesh,
+                           *ValidQuery::Make(request.query, *mesh_->mesh), {},
+                           {}, searches)
+          .value();
+  EXPECT_EQ(used_, question.PlannedBytes() + question.LineBytes());
 }
 
 TEST_F(TransposedMatrixTest, GivesItsMemoryBackWhenNobodyWaits) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -179,6 +180,23 @@ TEST_F(PairEngineTest, HasTheBitsOfTheCore) {
       EXPECT_EQ((*distances)[found->columns[i]], found->values[i]);
     }
   }
+}
+
+TEST_F(PairEngineTest, ARowHasItsMemoryBeforeItBegins) {
+  const std::vector<PointPair> star(kFieldInSearches,
+                                    {VertexPoint{0}, VertexPoint{99}});
+  uint64_t used = 0;
+  start_ = [&](const Mesh& mesh, const ValidQuery& query,
+               const SolveOptions& options) {
+    used = engine_.solver_memory().used();
+    return StartComputation(mesh, query, options);
+  };
+  ASSERT_TRUE(Ask(star).ok());
+  KeptSearches searches(*call_.mesh->mesh);
+  const auto question =
+      PairQuestion::Make(*call_.mesh->mesh, star, {}, searches, 1);
+  ASSERT_TRUE(question.ok()) << question.status();
+  EXPECT_EQ(used, (*question)->PlannedBytes() + (*question)->RowBytes());
 }
 
 TEST_F(PairEngineTest, WrongPairsAreNamed) {

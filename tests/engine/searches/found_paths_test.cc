@@ -83,9 +83,10 @@ TEST_F(FoundPathsTest, AreStraightAndLeaveNoField) {
       EXPECT_LT(Euclid(paths[t].positions.back(), PositionOf(targets[t])),
                 1e-12);
     }
+    engine_.searches().pool().DropIdle();
+    EXPECT_GE(engine_.solver_memory().used(), BytesOf(paths));
   }
   EXPECT_EQ(engine_.fields().cache().size(), 0);
-  engine_.searches().pool().DropIdle();
   EXPECT_EQ(engine_.solver_memory().used(), 0);
 }
 

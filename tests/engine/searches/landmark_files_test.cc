@@ -64,6 +64,25 @@ TEST_F(LandmarkFilesTest, TheyAreLoadedAfterARestart) {
   EXPECT_EQ(engine_->searches().landmarks().made(), 0);
 }
 
+// They are made once; then the disk has them, each time that they are gone.
+TEST_F(LandmarkFilesTest, WhoNeedsThemAtOnceLooksAtTheDiskFirst) {
+  const auto mesh = Await(digest_);
+  ASSERT_TRUE(mesh.ok()) << mesh.status();
+  LandmarkMaker& maker = engine_->searches().landmarks();
+  NoCheckpoint checkpoint;
+  for (uint32_t times = 0; times < 3; ++times) {
+    for (const bool are_there : {false, true}) {
+      const auto made = maker.MakeNow(*mesh, Landmarks::kMost, checkpoint);
+      ASSERT_TRUE(made.ok()) << made.status();
+      EXPECT_EQ(*made, are_there) << times;
+      executor_.RunAll();
+    }
+    EXPECT_EQ(maker.made(), Landmarks::kMost);
+    EXPECT_EQ(maker.loaded(), times * Landmarks::kMost);
+    engine_->meshes().landmarks().Erase(digest_);
+  }
+}
+
 TEST_F(LandmarkFilesTest, ADamagedFileIsMadeAnew) {
   Wanted();
   const std::vector<std::string> files = Files();

@@ -50,9 +50,13 @@ TEST_F(SearchPoolTest, ChargesWhatIsIdle) {
 }
 
 TEST_F(SearchPoolTest, WhatIsNotGivenBackIsGone) {
-  { const SearchPool::Loan loan = pool_->Lend(mesh_); }
+  for (int i = 0; i < 2; ++i) const SearchPool::Loan loan = pool_->Lend(mesh_);
   EXPECT_EQ(pool_->idle(), 0);
   EXPECT_EQ(memory_->used(), 0);
+  // Nor does it stand in the way of others.
+  LendAndGiveBack(mesh_);
+  LendAndGiveBack(other_);
+  EXPECT_EQ(pool_->idle(), 2);
 }
 
 TEST_F(SearchPoolTest, DropsTheLongestIdleForAnotherMesh) {
