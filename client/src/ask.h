@@ -37,9 +37,8 @@ inline TakeProgress ReportTo(const CountProgressCallback& callback,
   };
 }
 
-// What an answer says about itself. `Info` is an AnswerInfo or a Field.
-template <typename Info>
-void ReadInfo(const codec::AnswerReader& reader, Info* info) {
+// What an answer says about itself.
+inline void ReadInfo(const codec::AnswerReader& reader, AnswerInfo* info) {
   const v1::AnswerHeader& header = reader.header();
   const v1::AnswerTrailer& trailer = reader.trailer();
   info->mesh_digest = header.mesh_digest();
@@ -54,14 +53,15 @@ void ReadInfo(const codec::AnswerReader& reader, Info* info) {
   if (trailer.has_certified_error()) {
     info->certified_error = trailer.certified_error();
   }
-  if constexpr (std::is_same_v<Info, Field>) {
-    info->origin = FromProto(trailer.origin());
-    info->statistics = FromProto(trailer.statistics());
-    info->settled_radius = trailer.settled_radius();
-  } else {
-    info->compute_seconds = trailer.compute_seconds();
-    info->windows_propagated = trailer.windows_propagated();
-  }
+  info->compute_seconds = trailer.compute_seconds();
+  info->windows_propagated = trailer.windows_propagated();
+}
+inline void ReadInfo(const codec::AnswerReader& reader, Field* field) {
+  ReadInfo(reader, static_cast<AnswerInfo*>(field));
+  const v1::AnswerTrailer& trailer = reader.trailer();
+  field->origin = FromProto(trailer.origin());
+  field->statistics = FromProto(trailer.statistics());
+  field->settled_radius = trailer.settled_radius();
 }
 
 template <typename Request, typename Info>

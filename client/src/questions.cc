@@ -211,12 +211,12 @@ absl::StatusOr<LineAnswer> Client::TraceLines(
   if (!status.ok()) return status;
   status = lines.Take([&](Polyline line) -> absl::Status {
     const size_t i = answer.lines.size();
-    if (ends[i] > static_cast<uint8_t>(LineEnd::kSingular)) {
+    if (ends[i] > static_cast<uint8_t>(TraceEnd::kSingular)) {
       return absl::DataLossError(
           absl::StrCat("the server sent a line with end ", ends[i]));
     }
     answer.lines.push_back(
-        {std::move(line), lengths[i], static_cast<LineEnd>(ends[i])});
+        {std::move(line), lengths[i], static_cast<TraceEnd>(ends[i])});
     return absl::OkStatus();
   });
   if (!status.ok()) return status;

@@ -21,9 +21,9 @@ from typing import Any, Callable, Dict, Iterator, Optional, Tuple, TypeVar
 
 import grpc
 
+from .error_details import error_of
 from .errors import (Cancelled, DeadlineExceeded, GeodesicError,
                      ResourceExhausted, Unavailable)
-from .wire import error_of
 
 # A call that finds the service away or full is repeated after these pauses, in
 # seconds, each some 20 % longer or shorter so that clients do not come back all

@@ -10,6 +10,7 @@ import numpy as np
 
 from .digest import Reading
 from .errors import GeodesicWarning
+from .face_geometry import in_surface
 from .places import Places, Sources
 
 # Of many numbers, a message names so many.
@@ -21,12 +22,6 @@ def joined_into(reading: Reading, count: int) -> np.ndarray:
     into = np.arange(count)
     into[reading[0][:, 0]] = reading[0][:, 1]
     return into
-
-
-def _surface(faces: np.ndarray) -> np.ndarray:
-    """Those that are part of the surface: that have three vertices."""
-    a, b, c = faces.T
-    return faces[(a != b) & (b != c) & (c != a)]
 
 
 def warn(message: str) -> None:
@@ -87,7 +82,7 @@ def why_unreached(vertices: np.ndarray, faces: np.ndarray, reading: Reading,
     """In words, why no path leads to the one place in `target`."""
     into = joined_into(reading, len(vertices))
     faces = into[faces]
-    surface = _surface(faces)
+    surface = faces[in_surface(faces)]
     isolated = np.ones(len(vertices), bool)
     isolated[surface] = False
     [to] = into[_vertices(target, faces)]

@@ -15,11 +15,11 @@ from .arguments import to_array
 from .backend import Backend
 from .digest import Reading
 from .errors import InvalidArgument, naming
+from .face_geometry import FaceFinder, PointFinder
 from .local import LocalBackend
 from .places import (FacePoint, Places, Source, SurfacePoint, to_numbers, to_places,
                      to_sources)
 from .reach import joined_into, warn, warn_of_isolated
-from .surface import FaceFinder, PointFinder
 
 OneOrManySources = Union[Source, Sequence[Source], NDArray[Any], Places]
 OneOrManyPlaces = Union[SurfacePoint, Sequence[SurfacePoint], NDArray[Any],

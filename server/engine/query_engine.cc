@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "server/engine/fields/path_work.h"
-
 namespace geodesic::server {
 namespace {
 
@@ -51,10 +49,8 @@ QueryEngine::QueryEngine(const Limits& limits, const Clock& clock,
       fields_(limits_, solve_options_, clock, scheduler_, solver_memory_,
               start_, meshes_, searches_),
       solo_jobs_(clock, scheduler_, solver_memory_, limits.progress_interval),
-      pairs_(limits_, scheduler_, solo_jobs_, meshes_, searches_, fields_),
-      matrices_(limits_, scheduler_, solo_jobs_, solver_memory_, meshes_,
-                searches_),
-      lines_(scheduler_, solo_jobs_, meshes_),
+      rows_(limits_, scheduler_, solo_jobs_, solver_memory_, meshes_, searches_,
+            fields_),
       scheduler_(executor, limits.max_concurrent_jobs, limits.max_queued_jobs,
                  limits.max_queued_jobs_per_client) {}
 
@@ -109,30 +105,9 @@ absl::StatusOr<QuestionCall> QueryEngine::StartQuestion(
   return call;
 }
 
-absl::StatusOr<std::shared_ptr<RowPipeline>> QueryEngine::TracePaths(
-    const FieldCall& call, const FieldAnswer& answer, TimePoint deadline,
-    const Requester& requester, std::function<void()> on_row) {
-  const auto work = std::make_shared<PathWork>(call, answer);
-  auto rows = std::make_shared<RowPipeline>(
-      solo_jobs_, scheduler_,
-      RowJobs{.client = requester.client,
-              .account = requester.account,
-              .is_continuation = true,
-              .priority = work->rows() == 1 ? SolvePriority(requester.is_batch)
-                                            : RowPriority(requester.is_batch),
-              .deadline = deadline},
-      work->rows(),
-      [work](uint64_t row, Checkpoint& checkpoint, ByteReservation memory) {
-        return work->Answer(row, checkpoint, std::move(memory));
-      },
-      std::move(on_row));
-  if (absl::Status status = rows->Start(); !status.ok()) return status;
-  return rows;
-}
-
 EngineCounters QueryEngine::counters() const {
   return {fields_.counters(), meshes_.meshes_built(), meshes_.meshes_loaded(),
-          meshes_.meshes_fetched(), pairs_.counts()};
+          meshes_.meshes_fetched(), rows_.pair_counts()};
 }
 
 }  // namespace geodesic::server

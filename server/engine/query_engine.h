@@ -33,13 +33,11 @@
 #include "server/engine/jobs/solo_job.h"
 #include "server/engine/jobs/start_function.h"
 #include "server/engine/jobs/thread_pool.h"
-#include "server/engine/lines/line_engine.h"
-#include "server/engine/matrices/matrix_engine.h"
 #include "server/engine/meshes/mesh_files.h"
 #include "server/engine/meshes/mesh_library.h"
 #include "server/engine/methods/graph_files.h"
 #include "server/engine/methods/method_engine.h"
-#include "server/engine/pairs/pair_engine.h"
+#include "server/engine/rows/row_engine.h"
 #include "server/engine/searches/landmark_files.h"
 #include "server/engine/searches/search_engine.h"
 #include "server/store/blob_store.h"
@@ -130,9 +128,7 @@ class QueryEngine {
   SearchEngine& searches() { return searches_; }
   MethodEngine& methods() { return methods_; }
   FieldEngine& fields() { return fields_; }
-  PairEngine& pairs() { return pairs_; }
-  MatrixEngine& matrices() { return matrices_; }
-  LineEngine& lines() { return lines_; }
+  RowEngine& rows() { return rows_; }
   // After its BeginDrain, uploads and queries that need a job fail with
   // UNAVAILABLE.
   Scheduler& scheduler() { return scheduler_; }
@@ -142,17 +138,6 @@ class QueryEngine {
   absl::StatusOr<QuestionCall> StartQuestion(QuestionRequest request);
   void Cancel(const QuestionCall& call) { solo_jobs_.Cancel(call.job); }
 
-  // Traces the paths to the targets of `call` in jobs of their own, as they are
-  // taken: the rows hold some paths each, in order of target. For `on_row` see
-  // RowPipeline. The question has been admitted: it takes no other place in the
-  // queue, and goes on while the server drains.
-  // REQUIRES: the call's extras have paths, and `answer` is its answer, which
-  // was not searched for.
-  // Errors: UNAVAILABLE after Scheduler::StopAll.
-  absl::StatusOr<std::shared_ptr<RowPipeline>> TracePaths(
-      const FieldCall& call, const FieldAnswer& answer, TimePoint deadline,
-      const Requester& requester, std::function<void()> on_row);
-
   const Limits& limits() const { return limits_; }
   EngineCounters counters() const;
   const DurableStore* durable() const { return durable_.get(); }  // may be null
@@ -160,7 +145,6 @@ class QueryEngine {
   const SearchEngine& searches() const { return searches_; }
   const MethodEngine& methods() const { return methods_; }
   const FieldEngine& fields() const { return fields_; }
-  const PairEngine& pairs() const { return pairs_; }
   const Scheduler& scheduler() const { return scheduler_; }
   const ByteBudget& upload_memory() const { return *upload_memory_; }
   const ByteBudget& solver_memory() const { return *solver_memory_; }
@@ -192,9 +176,7 @@ class QueryEngine {
   MethodEngine methods_;
   FieldEngine fields_;
   SoloJobs solo_jobs_;
-  PairEngine pairs_;
-  MatrixEngine matrices_;
-  LineEngine lines_;
+  RowEngine rows_;
 
   // Last, so no job is left when the other members are destroyed.
   Scheduler scheduler_;

@@ -5,7 +5,7 @@
 #include "absl/strings/str_cat.h"
 #include "server/options/flag_types.h"
 #include "server/options/flags.h"
-#include "server/options/limits.h"
+#include "server/options/limit_flags.h"
 #include "server/options/memory.h"
 #include "server/options/setting_sources.h"
 #include "server/security/tls_files.h"

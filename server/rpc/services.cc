@@ -1,10 +1,14 @@
 #include "server/rpc/services.h"
 
-#include "server/rpc/streams/field_questions.h"
-#include "server/rpc/streams/field_stream.h"
-#include "server/rpc/streams/job_questions.h"
+#include "server/rpc/streams/field.h"
+#include "server/rpc/streams/isolines.h"
+#include "server/rpc/streams/log_map.h"
+#include "server/rpc/streams/matrix.h"
 #include "server/rpc/streams/mesh_streams.h"
-#include "server/rpc/streams/row_questions.h"
+#include "server/rpc/streams/pairs.h"
+#include "server/rpc/streams/paths.h"
+#include "server/rpc/streams/samples.h"
+#include "server/rpc/streams/trace.h"
 #include "server/rpc/unary_calls.h"
 
 namespace geodesic::server {

@@ -98,7 +98,7 @@ class AdmissionTest : public test::EngineTest {
     for (uint32_t row = 0; row < rows; ++row) {
       request.query.sources.push_back({VertexPoint{first + row}, 0});
     }
-    return engine_.matrices().Compute(std::move(request), [] {});
+    return engine_.rows().ComputeMatrix(std::move(request), [] {});
   }
 
   // What every outcome leaves behind.

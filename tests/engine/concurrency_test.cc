@@ -216,7 +216,7 @@ class TakingObserver {
     rows_ = std::move(rows);
     TakeAll();
   }
-  std::vector<MatrixRow> Wait(size_t count) {
+  std::vector<AnswerRow> Wait(size_t count) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return taken_.size() == count; });
     return std::move(taken_);
@@ -237,7 +237,7 @@ class TakingObserver {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::shared_ptr<MatrixRows> rows_;
-  std::vector<MatrixRow> taken_;
+  std::vector<AnswerRow> taken_;
 };
 
 TEST_F(EngineConcurrencyTest, MatricesShareTheThreads) {
@@ -250,17 +250,17 @@ TEST_F(EngineConcurrencyTest, MatricesShareTheThreads) {
       request.query.sources.push_back({VertexPoint{v + thread}, 0});
     }
     if (thread % 4 == 3) {
-      const auto call = engine_.matrices().Compute(request, [] {});
+      const auto call = engine_.rows().ComputeMatrix(request, [] {});
       ASSERT_TRUE(call.ok()) << call.status();
       call->rows->Cancel();
       return;
     }
     const auto observer = std::make_shared<TakingObserver>();
     const auto call =
-        engine_.matrices().Compute(request, [observer] { observer->OnRow(); });
+        engine_.rows().ComputeMatrix(request, [observer] { observer->OnRow(); });
     ASSERT_TRUE(call.ok()) << call.status();
     observer->SetRows(call->rows);
-    const std::vector<MatrixRow> rows = observer->Wait(30);
+    const std::vector<AnswerRow> rows = observer->Wait(30);
     for (uint32_t r = 0; r < rows.size(); ++r) {
       for (size_t v = 0; v < soup.positions.size(); ++v) {
         ASSERT_NEAR(

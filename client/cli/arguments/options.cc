@@ -15,6 +15,7 @@
 #include "client/output/number_text.h"
 #include "client/output/place_text.h"
 #include "geodesic_client/answer.h"
+#include "geodesic_types/questions.h"
 
 namespace geodesic::client {
 namespace {
@@ -352,8 +353,8 @@ void AddTolerance(CLI::App* app, double* tolerance) {
   const auto parse = [](const std::string& text) {
     return ParseIf<double>(text, "a tolerance: 0, or a number from 1e-9 to 0.1",
                            [](double number) {
-                             return number == 0 ||
-                                    (number >= 1e-9 && number <= 0.1);
+                             return number == 0 || (number >= kLeastTolerance &&
+                                                    number <= kMostTolerance);
                            });
   };
   AddValue(app,

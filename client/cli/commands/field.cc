@@ -326,7 +326,7 @@ std::string PageName(const std::string& mesh, const std::string& mark) {
 
 absl::StatusOr<std::vector<WrittenFile>> WriteFieldOutputs(
     const Session& session, const FieldArguments& arguments,
-    const Question& question, const AnswerInfo& info, const Field& field) {
+    const Question& question, const Field& field) {
   const std::vector<Column> columns = ColumnsOf(arguments, field);
   // With the parameters that were used.
   const std::string mark =
@@ -344,7 +344,7 @@ absl::StatusOr<std::vector<WrittenFile>> WriteFieldOutputs(
                           arguments.picture);
     }
     if (output.format == OutputFormat::kPly) {
-      return WriteAnswerAsPly(session, arguments.mesh, info, mesh, columns,
+      return WriteAnswerAsPly(session, arguments.mesh, field, mesh, columns,
                               mark, output.path);
     }
     return WriteFile(output.path, [&](AtomicFile* file) {
@@ -360,7 +360,7 @@ absl::StatusOr<std::vector<WrittenFile>> WriteFieldOutputs(
         case OutputFormat::kHtml:
           return WriteViewerPage(mesh,
                                  {.name = PageName(arguments.mesh.text, mark),
-                                  .mesh_digest = info.mesh_digest,
+                                  .mesh_digest = field.mesh_digest,
                                   .distances = field.distances,
                                   .sources = SourcePoints(question, mesh)},
                                  file);
@@ -369,7 +369,7 @@ absl::StatusOr<std::vector<WrittenFile>> WriteFieldOutputs(
       }
     });
   };
-  return WriteOutputs(session, arguments.outputs, info,
+  return WriteOutputs(session, arguments.outputs, field,
                       {OutputFormat::kPly, OutputFormat::kVtk,
                        OutputFormat::kPng, OutputFormat::kHtml},
                       write);
@@ -498,33 +498,19 @@ absl::Status Answer(const FieldArguments& arguments, const Session& session,
                                         watch.OnSolve(query.tolerance == 0));
   if (!field.ok()) return field.status();
   const double seconds = watch.seconds();
-  // Nothing was computed for a field from the cache.
-  const bool is_cached = field->origin == FieldOrigin::kCached;
-  const FieldStatistics& statistics = field->statistics;
-  const AnswerInfo info = {
-      .mesh_digest = field->mesh_digest,
-      .vertex_count = field->vertex_count,
-      .mesh_notes = field->mesh_notes,
-      .algorithm = field->algorithm,
-      .approximation = field->approximation,
-      .relative_tolerance = field->relative_tolerance,
-      .certified_error = field->certified_error,
-      .server_version = field->server_version,
-      .compute_seconds = is_cached ? 0 : statistics.solve_seconds,
-      .windows_propagated = is_cached ? 0 : statistics.windows_propagated};
   if (!arguments.progressive) {
     for (size_t v = 0; v < field->distances.size(); ++v) {
       extremes.Add(v, field->distances[v]);
     }
-    files = WriteFieldOutputs(session, arguments, question, info, *field);
+    files = WriteFieldOutputs(session, arguments, question, *field);
   }
   // If the rows went to the terminal, nothing else does.
   if (arguments.progressive && outputs.empty()) {
-    PrintNotes(session, info.mesh_notes);
+    PrintNotes(session, field->mesh_notes);
     PrintNotes(session, question.notes);
     return absl::OkStatus();
   }
-  return PrintReport(session, question, info, seconds, files,
+  return PrintReport(session, question, *field, seconds, files,
                      ReportOf(arguments, session, question, *field, extremes));
 }
 

@@ -93,18 +93,6 @@ void AddOptions(CLI::App* app, TraceArguments* arguments) {
   AddPicture(app, &arguments->picture);
 }
 
-const char* EndText(LineEnd end) {
-  switch (end) {
-    case LineEnd::kLength:
-      return "length";
-    case LineEnd::kBoundary:
-      return "boundary";
-    case LineEnd::kSingular:
-      return "no straight on";
-  }
-  return "";
-}
-
 Lines LinesOf(const LineAnswer& answer) {
   Lines lines = {.attributes = {{"length"}}};
   for (const StraightLine& line : answer.lines) {
@@ -114,19 +102,19 @@ Lines LinesOf(const LineAnswer& answer) {
 }
 
 Report ReportOf(const LineAnswer& answer) {
-  Report report = {.header = {"line", "length", "points", "ends at"}};
+  Report report = {.header = {"line", "length", "points", "end"}};
   Json lines = Json::array();
   for (size_t i = 0; i < answer.lines.size(); ++i) {
     const StraightLine& line = answer.lines[i];
     report.rows.push_back({absl::StrCat(i), NumberText(line.length),
                            GroupedNumber(line.line.points.size()),
-                           EndText(line.end)});
+                           std::string(TraceEndName(line.end))});
     Json points = Json::array();
     for (const SurfacePoint& point : line.line.points) {
       points.push_back(PointToJson(point));
     }
     lines.push_back({{"length", line.length},
-                     {"end", EndText(line.end)},
+                     {"end", std::string(TraceEndName(line.end))},
                      {"points", std::move(points)},
                      {"positions", line.line.positions}});
   }

@@ -70,7 +70,7 @@ using SolveProgressCallback = std::function<void(const SolveProgress&)>;
 using CountProgressCallback =
     std::function<void(uint64_t finished, uint64_t total)>;
 
-// What every answer says about itself. A Field has such members of its own.
+// What every answer says about itself.
 struct AnswerInfo {
   std::string mesh_digest;
   uint64_t vertex_count = 0;

@@ -79,19 +79,8 @@ struct FieldStatistics {
   double solve_seconds = 0;
 };
 
-// Stands for the source of a vertex that no path reaches.
-inline constexpr uint32_t kNoSource = 0xffffffffu;
-
 // Distances of all vertices, and what they are.
-struct Field {
-  std::string mesh_digest;
-  uint64_t vertex_count = 0;
-  // What was joined, left out or guessed when the mesh was read, for people.
-  std::vector<std::string> mesh_notes = {};
-  // The algorithm that computed the field.
-  std::string algorithm;
-  // Set if distances are approximate.
-  std::optional<Approximation> approximation = {};
+struct Field : AnswerInfo {
   // One value per vertex, in the mesh's vertex order; +infinity where no path
   // leads or the search did not get. Empty if the field was streamed.
   std::vector<double> distances;
@@ -112,15 +101,6 @@ struct Field {
   double settled_radius = std::numeric_limits<double>::infinity();
   FieldOrigin origin = FieldOrigin::kComputed;
   FieldStatistics statistics;
-  // The relative error of every distance is below this; +infinity if they are
-  // approximate.
-  double relative_tolerance = 0;
-  // Set if the field was computed within the query's tolerance and is not
-  // exact: no distance is farther from the truth than this part of it. At most
-  // the tolerance.
-  std::optional<double> certified_error = {};
-  // Version of the program that computed the field.
-  std::string server_version;
 };
 
 // A vertex whose distance has become final.

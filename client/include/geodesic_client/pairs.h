@@ -18,14 +18,6 @@
 
 namespace geodesic::client {
 
-// Two places whose distance is wanted.
-struct PointPair {
-  SurfacePoint source;
-  SurfacePoint target;
-
-  friend bool operator==(const PointPair&, const PointPair&) = default;
-};
-
 // How far it is from each source to its target.
 struct PairQuery {
   std::string mesh_digest;

@@ -20,6 +20,7 @@
 #include "geodesic_client/answer.h"
 #include "geodesic_client/mesh.h"
 #include "geodesic_types/places.h"
+#include "geodesic_types/trace_end.h"
 
 namespace geodesic::client {
 
@@ -244,16 +245,11 @@ struct LineQuery {
   Priority priority = Priority::kInteractive;
 };
 
-// Why a line ends: it is as long as was asked for; it comes to a boundary; it
-// comes to an edge of three faces or more, a vertex where surfaces touch or a
-// face without area.
-enum class LineEnd : uint8_t { kLength, kBoundary, kSingular };
-
 // A line, straight across edges and past vertices.
 struct StraightLine {
   Polyline line;
   double length = 0;
-  LineEnd end = LineEnd::kLength;
+  TraceEnd end = TraceEnd::kLength;
 };
 
 // The lines, in order.

@@ -12,11 +12,9 @@
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
 #include "geodesic/valid_query.h"
+#include "geodesic_types/places.h"
 
 namespace geodesic {
-
-// Stands for the source of a vertex that no path reaches.
-inline constexpr uint32_t kNoSource = 0xffffffffu;
 
 // The number of the source whose path arrives at each vertex, which is the
 // vertex's Voronoi cell. kNoSource where no path arrives. At a tie, one of the

@@ -9,12 +9,9 @@
 #include "geodesic/surface_point.h"
 #include "geodesic_types/algorithms.h"
 #include "geodesic_types/places.h"
+#include "geodesic_types/questions.h"
 
 namespace geodesic {
-
-// The range of tolerances other than 0.
-inline constexpr double kLeastTolerance = 1e-9;
-inline constexpr double kMostTolerance = 0.1;
 
 // The field is d(x) = min over sources of offset + geodesic distance to x.
 struct Query {

@@ -9,7 +9,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -19,6 +18,7 @@
 #include "geodesic/checkpoint.h"
 #include "geodesic/mesh.h"
 #include "geodesic/surface_point.h"
+#include "geodesic_types/trace_end.h"
 
 namespace geodesic {
 
@@ -30,19 +30,6 @@ struct Heading;
 // in the direction of the surface that makes the least angle with it; or a
 // place, to which such a vector leads.
 using LineDirection = std::variant<double, Point, SurfacePoint>;
-
-// Why a line ends.
-enum class TraceEnd {
-  kLength,    // it is as long as was asked for
-  kBoundary,  // it comes to a boundary
-  // It comes to where there is no straight on: an edge of three faces or more,
-  // a vertex where surfaces touch or faces disagree in orientation, a face
-  // without area.
-  kSingular,
-};
-
-// "length", "boundary" or "singular".
-std::string_view TraceEndName(TraceEnd end);
 
 // A line that runs straight from each point to the next, through the inside of
 // one face or along one edge.

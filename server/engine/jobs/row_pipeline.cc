@@ -4,13 +4,13 @@
 
 namespace geodesic::server {
 
-absl::StatusOr<MatrixRow> Charge(absl::StatusOr<DistanceRow> row,
+absl::StatusOr<AnswerRow> Charge(absl::StatusOr<DistanceRow> row,
                                  ByteReservation memory) {
   if (!row.ok()) return row.status();
   memory.ShrinkTo(row->bytes());
   absl::Status status = memory.GrowTo(row->bytes());
   if (!status.ok()) return status;
-  return MatrixRow{*std::move(row), std::move(memory)};
+  return AnswerRow{*std::move(row), std::move(memory)};
 }
 
 RowPipeline::RowPipeline(SoloJobs& jobs, Scheduler& scheduler, RowJobs plan,
@@ -38,7 +38,7 @@ absl::Status RowPipeline::Start() {
 
 absl::Status RowPipeline::SubmitNext() {
   const uint64_t row = next_row_;
-  auto result = std::make_shared<MatrixRow>();
+  auto result = std::make_shared<AnswerRow>();
   absl::StatusOr<SoloJobs::Call> call = jobs_.Start(
       {.priority = plan_.priority,
        .client = plan_.client,
@@ -51,7 +51,7 @@ absl::Status RowPipeline::SubmitNext() {
            [self = shared_from_this(), row, result](Checkpoint& checkpoint,
                                                     ByteReservation memory) {
              self->Begin();
-             absl::StatusOr<MatrixRow> computed =
+             absl::StatusOr<AnswerRow> computed =
                  self->function_(row, checkpoint, std::move(memory));
              if (!computed.ok()) return computed.status();
              *result = *std::move(computed);
@@ -87,7 +87,7 @@ void RowPipeline::Begin() {
 }
 
 void RowPipeline::Finish(uint64_t row, const JobReport& report,
-                         MatrixRow result) {
+                         AnswerRow result) {
   std::function<void()> on_row;
   {
     MutexLock lock(mutex_);
@@ -108,7 +108,7 @@ void RowPipeline::Finish(uint64_t row, const JobReport& report,
   if (on_row) on_row();
 }
 
-std::optional<absl::StatusOr<MatrixRow>> RowPipeline::Take() {
+std::optional<absl::StatusOr<AnswerRow>> RowPipeline::Take() {
   MutexLock lock(mutex_);
   // Rows before the one that failed are still handed out.
   const auto it = finished_.find(next_take_);
@@ -116,7 +116,7 @@ std::optional<absl::StatusOr<MatrixRow>> RowPipeline::Take() {
     if (failure_.ok()) return std::nullopt;
     return failure_;
   }
-  MatrixRow row = std::move(it->second);
+  AnswerRow row = std::move(it->second);
   finished_.erase(it);
   ++next_take_;
   GoOn();
@@ -126,7 +126,7 @@ std::optional<absl::StatusOr<MatrixRow>> RowPipeline::Take() {
 void RowPipeline::Cancel() {
   // Destroyed after the lock is released.
   std::map<uint64_t, SoloJobs::Call> running;
-  std::map<uint64_t, MatrixRow> finished;
+  std::map<uint64_t, AnswerRow> finished;
   std::function<void()> on_row;
   {
     MutexLock lock(mutex_);

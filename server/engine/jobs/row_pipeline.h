@@ -25,7 +25,7 @@
 namespace geodesic::server {
 
 // A row, and the memory that it takes.
-struct MatrixRow : DistanceRow {
+struct AnswerRow : DistanceRow {
   ByteReservation memory;
   // Of a question about straight lines, in place of values.
   std::vector<TracedLine> lines = {};
@@ -33,12 +33,12 @@ struct MatrixRow : DistanceRow {
 
 // The row in the `memory` it was given, of which it keeps what it takes.
 // Errors: its own; as ByteReservation::GrowTo.
-absl::StatusOr<MatrixRow> Charge(absl::StatusOr<DistanceRow> row,
+absl::StatusOr<AnswerRow> Charge(absl::StatusOr<DistanceRow> row,
                                  ByteReservation memory);
 
 // Computes a row in the `memory` it is given. Must be thread-safe, because rows
 // are computed in parallel.
-using RowFunction = std::function<absl::StatusOr<MatrixRow>(
+using RowFunction = std::function<absl::StatusOr<AnswerRow>(
     uint64_t row, Checkpoint&, ByteReservation memory)>;
 
 // What the jobs of all rows have in common.
@@ -78,7 +78,7 @@ class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
   absl::Status Start();
 
   // The next row if it is finished, or the error if there will be none.
-  std::optional<absl::StatusOr<MatrixRow>> Take();
+  std::optional<absl::StatusOr<AnswerRow>> Take();
 
   // No more rows will be taken: running jobs stop at their next poll.
   void Cancel();
@@ -91,7 +91,7 @@ class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
  private:
   // Called when the waiting row gets a thread; the next row may then wait.
   void Begin();
-  void Finish(uint64_t row, const JobReport& report, MatrixRow result);
+  void Finish(uint64_t row, const JobReport& report, AnswerRow result);
 
   absl::Status SubmitNext() ABSL_EXCLUSIVE_LOCKS_REQUIRED(mutex_);
   // Submits the next row when it is due.
@@ -114,7 +114,7 @@ class RowPipeline : public std::enable_shared_from_this<RowPipeline> {
   uint64_t next_row_ ABSL_GUARDED_BY(mutex_);
   uint64_t next_take_ ABSL_GUARDED_BY(mutex_);
   std::map<uint64_t, SoloJobs::Call> running_ ABSL_GUARDED_BY(mutex_);
-  std::map<uint64_t, MatrixRow> finished_ ABSL_GUARDED_BY(mutex_);
+  std::map<uint64_t, AnswerRow> finished_ ABSL_GUARDED_BY(mutex_);
   absl::Status failure_ ABSL_GUARDED_BY(mutex_);
   uint64_t rows_finished_ ABSL_GUARDED_BY(mutex_);
   double seconds_ ABSL_GUARDED_BY(mutex_) = 0;

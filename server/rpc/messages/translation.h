@@ -32,7 +32,7 @@
 #include "server/engine/meshes/mesh_catalogue.h"
 #include "server/engine/meshes/mesh_store.h"
 #include "server/engine/meshes/method_store.h"
-#include "server/engine/pairs/pair_work.h"
+#include "server/engine/rows/pair_work.h"
 
 namespace geodesic::server {
 

@@ -29,7 +29,7 @@ class RowPipelineTest : public ::testing::Test {
                 .row_bytes = kRowBytes},
         rows,
         [this](uint64_t row, Checkpoint& checkpoint,
-               ByteReservation memory) -> absl::StatusOr<MatrixRow> {
+               ByteReservation memory) -> absl::StatusOr<AnswerRow> {
           started_.push_back(row);
           EXPECT_EQ(memory.bytes(), kRowBytes);
           EXPECT_EQ(memory_->used(), kPlannedBytes + kRowBytes);
@@ -38,7 +38,7 @@ class RowPipelineTest : public ::testing::Test {
             status = absl::InternalError("bad row");
           }
           if (!status.ok()) return status;
-          return MatrixRow{{.values = {static_cast<double>(row)}}, {}};
+          return AnswerRow{{.values = {static_cast<double>(row)}}, {}};
         },
         [calls = calls_] { ++*calls; });
   }
@@ -187,7 +187,7 @@ TEST_F(RowPipelineTest, ARowIsChargedForWhatItTakes) {
                   *ByteReservation::Make(memory_, kRowBytes));
   };
   for (const size_t values : {1, 1000}) {
-    const absl::StatusOr<MatrixRow> row = charge(values);
+    const absl::StatusOr<AnswerRow> row = charge(values);
     ASSERT_TRUE(row.ok()) << row.status();
     EXPECT_EQ(memory_->used(), values * sizeof(double));
   }

@@ -135,10 +135,10 @@ class SmallMatrixTest : public FoundPathsTest {
     return request;
   }
 
-  std::vector<MatrixRow> Rows(MatrixRequest request) {
-    auto call = engine_.matrices().Compute(std::move(request), [] {});
+  std::vector<AnswerRow> Rows(MatrixRequest request) {
+    auto call = engine_.rows().ComputeMatrix(std::move(request), [] {});
     EXPECT_TRUE(call.ok()) << call.status();
-    std::vector<MatrixRow> rows;
+    std::vector<AnswerRow> rows;
     while (rows.size() < call->row_count) {
       executor_.RunAll();
       auto row = call->rows->Take();
@@ -155,7 +155,7 @@ TEST_F(SmallMatrixTest, EachTargetIsSearchedFor) {
   const std::vector<uint32_t> sources{0, 60, 17};
   const std::vector<SurfacePoint> targets{VertexPoint{120},
                                           FacePoint{7, {0.2, 0.3, 0.5}}};
-  const std::vector<MatrixRow> rows = Rows(From(sources, targets));
+  const std::vector<AnswerRow> rows = Rows(From(sources, targets));
   EXPECT_GT(searches(), 0);
   for (size_t s = 0; s < sources.size(); ++s) {
     ASSERT_EQ(rows[s].values.size(), targets.size());

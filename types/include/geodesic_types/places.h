@@ -42,6 +42,14 @@ inline constexpr double kWeightSumTolerance = 2e-6;
 // A place on the surface.
 using SurfacePoint = std::variant<VertexPoint, EdgePoint, FacePoint>;
 
+// Two places whose distance is asked for. It is the same in both directions.
+struct PointPair {
+  SurfacePoint source;
+  SurfacePoint target;
+
+  friend auto operator<=>(const PointPair&, const PointPair&) = default;
+};
+
 // A polyline on the surface. Points that follow each other lie in a common
 // face, where the segment between them runs straight. If several faces hold
 // both points, there is a segment in each of them.
@@ -62,6 +70,9 @@ struct Source {
 
   friend auto operator<=>(const Source&, const Source&) = default;
 };
+
+// Stands for the number of a source where no path leads.
+inline constexpr uint32_t kNoSource = 0xffffffffu;
 
 // Whether the source is a curve, not a point.
 inline bool IsCurve(const Source& source) {

@@ -36,6 +36,10 @@ inline constexpr auto kQuestions = std::to_array<QuestionInfo>({
     {"TraceLines", false, false, false},
 });
 
+// The range of tolerances other than 0.
+inline constexpr double kLeastTolerance = 1e-9;
+inline constexpr double kMostTolerance = 0.1;
+
 // What is known of the question with this name. REQUIRES: there is one.
 constexpr const QuestionInfo& QuestionNamed(std::string_view name) {
   size_t i = 0;

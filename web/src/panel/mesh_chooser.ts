@@ -9,7 +9,7 @@ import { about, type Connection } from "../service/connection";
 import { DRAWN_WHOLE } from "../scene/detail";
 import { askRestoring } from "../service/ask_restoring";
 import { readMesh } from "../service/read_mesh";
-import { formatOf, uploadMesh, type Joining } from "../service/upload";
+import { ENDINGS, formatOf, uploadMesh, type Joining } from "../service/upload";
 import { SurfaceMesh } from "../surface/mesh";
 import { simplify } from "../surface/simplify";
 
@@ -42,6 +42,7 @@ export class MeshChooser {
     private readonly opened: (mesh: SurfaceMesh) => void,
     private readonly simplified: (mesh: SurfaceMesh, indices: Uint32Array | undefined) => void,
   ) {
+    this.input.accept = [...ENDINGS, ".gz"].join(",");
     onClick("open", () => this.input.click());
     onClick("welcome-open", () => this.input.click());
     this.input.addEventListener("change", () => {

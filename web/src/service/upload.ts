@@ -19,16 +19,19 @@ import {
 } from "../../generated/geodesic/v1/mesh_service_pb";
 import { about, type Connection } from "./connection";
 
+/** Endings that are not named like their format. */
+const OTHER_ENDINGS: Record<string, MeshFormat> = { glb: MeshFormat.GLTF };
+
 const FORMATS: Record<string, MeshFormat> = {
-  obj: MeshFormat.OBJ,
-  ply: MeshFormat.PLY,
-  off: MeshFormat.OFF,
-  stl: MeshFormat.STL,
-  vtk: MeshFormat.VTK,
-  vtp: MeshFormat.VTP,
-  glb: MeshFormat.GLTF,
-  gltf: MeshFormat.GLTF,
+  ...Object.fromEntries(
+    Object.entries(MeshFormat)
+      .filter(([, format]) => typeof format === "number" && format !== MeshFormat.UNSPECIFIED && format !== MeshFormat.ARRAYS)
+      .map(([name, format]) => [name.toLowerCase(), format as MeshFormat])),
+  ...OTHER_ENDINGS,
 };
+
+/** Of files that can be read, each with its dot. */
+export const ENDINGS = Object.keys(FORMATS).map((ending) => `.${ending}`);
 
 const CHUNK_BYTES = 512 * 1024;
 
@@ -37,7 +40,7 @@ export function formatOf(name: string): MeshFormat {
   const ending = name.toLowerCase().replace(/\.gz$/, "").split(".").pop() ?? "";
   const format = FORMATS[ending];
   if (format === undefined) {
-    throw new Error(`Meshes are files in .obj, .ply, .off, .stl, .vtk, .vtp, .glb or .gltf, or these with .gz; ${name} is none.`);
+    throw new Error(`Meshes are files in ${ENDINGS.join(", ")}, or these with .gz; ${name} is none.`);
   }
   return format;
 }

@@ -27,14 +27,9 @@
 #include "geodesic/surface_point.h"
 #include "geodesic/valid_query.h"
 #include "geodesic_types/algorithms.h"
+#include "geodesic_types/places.h"
 
 namespace geodesic {
-
-// Two points whose distance is asked for. It is the same in both directions.
-struct PointPair {
-  SurfacePoint source;
-  SurfacePoint target;
-};
 
 // What is asked of all pairs alike.
 struct PairOptions {

@@ -299,12 +299,6 @@ absl::Status OfItem(const absl::Status& status, const LineQuestion& question,
 
 }  // namespace
 
-std::string_view TraceEndName(TraceEnd end) {
-  constexpr std::array<std::string_view, 3> kNames = {"length", "boundary",
-                                                      "singular"};
-  return kNames.at(static_cast<size_t>(end));
-}
-
 absl::StatusOr<uint64_t> CountLines(const LineQuestion& question) {
   const std::pair<const char*, size_t> lists[] = {
       {"sources", question.sources.size()},

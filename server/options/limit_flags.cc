@@ -1,4 +1,4 @@
-#include "server/options/limits.h"
+#include "server/options/limit_flags.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -1,7 +1,7 @@
 // ComputeField.
 
-#ifndef GEODESIC_SERVER_RPC_STREAMS_FIELD_STREAM_H_
-#define GEODESIC_SERVER_RPC_STREAMS_FIELD_STREAM_H_
+#ifndef GEODESIC_SERVER_RPC_STREAMS_FIELD_H_
+#define GEODESIC_SERVER_RPC_STREAMS_FIELD_H_
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@
 #include "geodesic/v1/question_service.pb.h"
 #include "server/engine/query_engine.h"
 #include "server/rpc/messages/translation.h"
-#include "server/rpc/streams/field_questions.h"
+#include "server/rpc/streams/field_question.h"
 
 namespace geodesic::server {
 
@@ -212,4 +212,4 @@ class FieldStream final : public FieldQuestion<v1::ComputeFieldRequest> {
 
 }  // namespace geodesic::server
 
-#endif  // GEODESIC_SERVER_RPC_STREAMS_FIELD_STREAM_H_
+#endif  // GEODESIC_SERVER_RPC_STREAMS_FIELD_H_

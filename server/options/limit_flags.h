@@ -1,7 +1,7 @@
 // The limits that few servers set, all by one flag: --limit NAME=VALUE.
 
-#ifndef GEODESIC_SERVER_OPTIONS_LIMITS_H_
-#define GEODESIC_SERVER_OPTIONS_LIMITS_H_
+#ifndef GEODESIC_SERVER_OPTIONS_LIMIT_FLAGS_H_
+#define GEODESIC_SERVER_OPTIONS_LIMIT_FLAGS_H_
 
 #include <string>
 #include <vector>
@@ -19,4 +19,4 @@ std::string ExplainLimits(ServerOptions options);
 
 }  // namespace geodesic::server
 
-#endif  // GEODESIC_SERVER_OPTIONS_LIMITS_H_
+#endif  // GEODESIC_SERVER_OPTIONS_LIMIT_FLAGS_H_

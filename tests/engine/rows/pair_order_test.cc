@@ -1,4 +1,4 @@
-#include "server/engine/pairs/pair_order.h"
+#include "server/engine/rows/pair_order.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace geodesic::server {
 namespace {
 
-MatrixRow Row(std::vector<uint32_t> pairs, std::vector<double> distances) {
+AnswerRow Row(std::vector<uint32_t> pairs, std::vector<double> distances) {
   return {{.columns = std::move(pairs), .values = std::move(distances)}, {}};
 }
 

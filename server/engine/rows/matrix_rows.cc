@@ -1,17 +1,17 @@
-#include "server/engine/matrices/matrix_rows.h"
+#include "server/engine/rows/matrix_rows.h"
 
 namespace geodesic::server {
 
-std::optional<absl::StatusOr<MatrixRow>> MatrixRows::Take() {
+std::optional<absl::StatusOr<AnswerRow>> MatrixRows::Take() {
   if (!table_.has_value()) return pipeline_->Take();
   MatrixTable& values = table_->values;
   while (columns_ < values.columns()) {
-    std::optional<absl::StatusOr<MatrixRow>> column = pipeline_->Take();
+    std::optional<absl::StatusOr<AnswerRow>> column = pipeline_->Take();
     if (!column.has_value() || !column->ok()) return column;
     values.Add(columns_++, **column);
   }
   if (next_row_ == values.rows()) return std::nullopt;
-  return MatrixRow{values.Row(next_row_++), {}};
+  return AnswerRow{values.Row(next_row_++), {}};
 }
 
 uint64_t MatrixRows::rows_finished() const {

@@ -1,8 +1,8 @@
 // Hands out the rows of a matrix in order, whether rows or columns are
 // computed.
 
-#ifndef GEODESIC_SERVER_ENGINE_MATRICES_MATRIX_ROWS_H_
-#define GEODESIC_SERVER_ENGINE_MATRICES_MATRIX_ROWS_H_
+#ifndef GEODESIC_SERVER_ENGINE_ROWS_MATRIX_ROWS_H_
+#define GEODESIC_SERVER_ENGINE_ROWS_MATRIX_ROWS_H_
 
 #include <cstdint>
 #include <memory>
@@ -32,7 +32,7 @@ class MatrixRows {
       : pipeline_(std::move(pipeline)), table_(std::move(table)) {}
 
   // As those of RowPipeline.
-  std::optional<absl::StatusOr<MatrixRow>> Take();
+  std::optional<absl::StatusOr<AnswerRow>> Take();
   void Cancel() { pipeline_->Cancel(); }
   // As far as columns are computed, so are rows.
   uint64_t rows_finished() const;
@@ -50,4 +50,4 @@ class MatrixRows {
 
 }  // namespace geodesic::server
 
-#endif  // GEODESIC_SERVER_ENGINE_MATRICES_MATRIX_ROWS_H_
+#endif  // GEODESIC_SERVER_ENGINE_ROWS_MATRIX_ROWS_H_

@@ -1,8 +1,8 @@
 // What the pairs of a question are answered with on a server, and how many of
 // them were.
 
-#ifndef GEODESIC_SERVER_ENGINE_PAIRS_PAIR_WORK_H_
-#define GEODESIC_SERVER_ENGINE_PAIRS_PAIR_WORK_H_
+#ifndef GEODESIC_SERVER_ENGINE_ROWS_PAIR_WORK_H_
+#define GEODESIC_SERVER_ENGINE_ROWS_PAIR_WORK_H_
 
 #include <array>
 #include <atomic>
@@ -66,4 +66,4 @@ class PairWork final : public SearchMeans {
 
 }  // namespace geodesic::server
 
-#endif  // GEODESIC_SERVER_ENGINE_PAIRS_PAIR_WORK_H_
+#endif  // GEODESIC_SERVER_ENGINE_ROWS_PAIR_WORK_H_

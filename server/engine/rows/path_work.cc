@@ -1,4 +1,4 @@
-#include "server/engine/fields/path_work.h"
+#include "server/engine/rows/path_work.h"
 
 #include <algorithm>
 #include <limits>
@@ -24,11 +24,11 @@ PathWork::PathWork(const FieldCall& call, const FieldAnswer& answer)
   }
 }
 
-absl::StatusOr<MatrixRow> PathWork::Answer(uint64_t row, Checkpoint& checkpoint,
+absl::StatusOr<AnswerRow> PathWork::Answer(uint64_t row, Checkpoint& checkpoint,
                                            ByteReservation memory) const {
   constexpr double kUnreached = std::numeric_limits<double>::infinity();
   const PathTracer& tracer = *answer_.derived->paths;
-  MatrixRow result;
+  AnswerRow result;
   result.memory = std::move(memory);
   TargetReader targets = first_targets_[row];
   const uint64_t end = std::min<uint64_t>(targets.next + kPathsPerRow,

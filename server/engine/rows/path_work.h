@@ -1,7 +1,7 @@
 // Traces the paths of a question from its field.
 
-#ifndef GEODESIC_SERVER_ENGINE_FIELDS_PATH_WORK_H_
-#define GEODESIC_SERVER_ENGINE_FIELDS_PATH_WORK_H_
+#ifndef GEODESIC_SERVER_ENGINE_ROWS_PATH_WORK_H_
+#define GEODESIC_SERVER_ENGINE_ROWS_PATH_WORK_H_
 
 #include <cstdint>
 #include <vector>
@@ -26,7 +26,7 @@ class PathWork {
 
   // Their paths, charged to `memory`. Beyond the reach of the question there
   // are none. Errors: as PathTracer::ToTarget, ByteReservation::GrowTo.
-  absl::StatusOr<MatrixRow> Answer(uint64_t row, Checkpoint& checkpoint,
+  absl::StatusOr<AnswerRow> Answer(uint64_t row, Checkpoint& checkpoint,
                                    ByteReservation memory) const;
 
  private:
@@ -37,4 +37,4 @@ class PathWork {
 
 }  // namespace geodesic::server
 
-#endif  // GEODESIC_SERVER_ENGINE_FIELDS_PATH_WORK_H_
+#endif  // GEODESIC_SERVER_ENGINE_ROWS_PATH_WORK_H_

@@ -1,4 +1,4 @@
-#include "server/engine/pairs/pair_engine.h"
+#include "server/engine/rows/row_engine.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 #include "geodesic/rows/kept_searches.h"
 #include "geodesic/rows/pairs.h"
 #include "geodesic_types/field_path.h"
-#include "server/engine/pairs/pair_order.h"
+#include "server/engine/rows/pair_order.h"
 #include "tests/engine/engine_fixture.h"
 #include "tests/support/meshes/curved_meshes.h"
 #include "tests/support/meshes/planar_meshes.h"
@@ -39,7 +39,7 @@ class PairEngineTest : public test::EngineTest {
   }
 
   absl::StatusOr<PairCall> Start(std::vector<PointPair> pairs) {
-    return engine_.pairs().Compute(
+    return engine_.rows().ComputePairs(
         {.mesh_digest = digest_, .pairs = std::move(pairs)}, [] {});
   }
 
@@ -249,7 +249,7 @@ TEST_F(PairEngineTest, CancellingStopsTheSearches) {
 
 TEST_F(PairEngineTest, DeadlinesHold) {
   auto call =
-      engine_.pairs().Compute({.mesh_digest = digest_,
+      engine_.rows().ComputePairs({.mesh_digest = digest_,
                                .pairs = {{VertexPoint{0}, VertexPoint{1}}},
                                .deadline = clock_.Now()},
                               [] {});
@@ -274,7 +274,7 @@ TEST_F(TightEngineTest, WhatNeverFitsIsRefusedAtOnce) {
   const auto uploaded = Upload(MakeGrid({.columns = 10, .rows = 10}));
   ASSERT_TRUE(uploaded.ok()) << uploaded.status();
   const auto call =
-      engine_.pairs().Compute({.mesh_digest = uploaded->mesh.digest,
+      engine_.rows().ComputePairs({.mesh_digest = uploaded->mesh.digest,
                                .pairs = {{VertexPoint{0}, VertexPoint{1}}}},
                               [] {});
   EXPECT_TRUE(absl::IsResourceExhausted(call.status())) << call.status();

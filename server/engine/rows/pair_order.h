@@ -1,8 +1,8 @@
 // Brings the distances of rows, which hold pairs from anywhere, into the order
 // of the pairs.
 
-#ifndef GEODESIC_SERVER_ENGINE_PAIRS_PAIR_ORDER_H_
-#define GEODESIC_SERVER_ENGINE_PAIRS_PAIR_ORDER_H_
+#ifndef GEODESIC_SERVER_ENGINE_ROWS_PAIR_ORDER_H_
+#define GEODESIC_SERVER_ENGINE_ROWS_PAIR_ORDER_H_
 
 #include <cmath>
 #include <cstdint>
@@ -21,7 +21,7 @@ class PairOrder {
       : distances_(pairs, std::numeric_limits<double>::quiet_NaN()) {}
 
   // The row's columns are numbers of pairs.
-  void Add(const MatrixRow& row) {
+  void Add(const AnswerRow& row) {
     for (size_t i = 0; i < row.values.size(); ++i) {
       distances_[row.columns[i]] = row.values[i];
     }
@@ -43,4 +43,4 @@ class PairOrder {
 
 }  // namespace geodesic::server
 
-#endif  // GEODESIC_SERVER_ENGINE_PAIRS_PAIR_ORDER_H_
+#endif  // GEODESIC_SERVER_ENGINE_ROWS_PAIR_ORDER_H_

@@ -9,7 +9,7 @@ import numpy as np
 from .places import FacePoint, Places
 
 
-def _in_surface(faces: np.ndarray) -> np.ndarray:
+def in_surface(faces: np.ndarray) -> np.ndarray:
     """The numbers of the faces that name three vertices; others are left out."""
     a, b, c = faces.T
     return np.flatnonzero((a != b) & (b != c) & (c != a))
@@ -23,7 +23,7 @@ class FaceFinder:
         self._into = into
         self._named = faces
         self._faces = into[faces]
-        self._numbers = _in_surface(self._faces)
+        self._numbers = in_surface(self._faces)
         faces = self._faces[self._numbers]
         first = faces.reshape(-1).astype(np.uint64)
         second = faces[:, [1, 2, 0]].reshape(-1).astype(np.uint64)
@@ -187,7 +187,7 @@ class PointFinder:
         self._vertices = np.ldexp(vertices, -self._exponent)
         self._faces = faces
         corners = self._vertices[faces]
-        numbers = _in_surface(faces)
+        numbers = in_surface(faces)
         order = numbers[_along_curve(corners[numbers].mean(axis=1))]
         # The last group is filled up with its last face.
         groups = np.resize(order, (-(-len(order) // _GROUP), _GROUP))

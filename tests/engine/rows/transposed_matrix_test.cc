@@ -64,15 +64,15 @@ class TransposedMatrixTest : public test::EngineTest {
 
   MatrixCall Start(const MatrixRequest& request) {
     absl::StatusOr<MatrixCall> call =
-        engine_.matrices().Compute(request, [] {});
+        engine_.rows().ComputeMatrix(request, [] {});
     EXPECT_TRUE(call.ok()) << call.status();
     return *std::move(call);
   }
 
-  std::vector<MatrixRow> Rows(const MatrixRequest& request) {
+  std::vector<AnswerRow> Rows(const MatrixRequest& request) {
     const MatrixCall call = Start(request);
     fields_ = finished_ = 0;
-    std::vector<MatrixRow> rows;
+    std::vector<AnswerRow> rows;
     while (rows.size() < call.row_count) {
       executor_.RunAll();
       const uint64_t finished = call.rows->rows_finished();
@@ -111,7 +111,7 @@ const std::vector<SurfacePoint> kTargets{
 
 TEST_F(TransposedMatrixTest, TakesAFieldForEachTarget) {
   const MatrixRequest request = Request(40, kTargets);
-  const std::vector<MatrixRow> rows = Rows(request);
+  const std::vector<AnswerRow> rows = Rows(request);
   EXPECT_EQ(fields_, kTargets.size());
   for (size_t row = 0; row < rows.size(); ++row) {
     ASSERT_EQ(rows[row].values.size(), kTargets.size());
@@ -147,7 +147,7 @@ TEST_F(TransposedMatrixTest, HasTheBitsOfTheCore) {
         wanted.push_back(question.Answer(line, checkpoint).value());
         if (question.is_transposed()) table.Add(line, wanted.back());
       }
-      const std::vector<MatrixRow> rows = Rows(request);
+      const std::vector<AnswerRow> rows = Rows(request);
       for (size_t row = 0; row < rows.size(); ++row) {
         const DistanceRow expected =
             question.is_transposed() ? table.Row(row) : wanted[row];
