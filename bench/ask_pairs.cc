@@ -63,7 +63,7 @@ int Measure(const Wishes& wishes) {
       client.UploadFile(wishes.mesh_file);
   if (!upload.ok()) return Fail(upload.status());
   const std::string& digest = upload->mesh.digest;
-  nlohmann::ordered_json line = {{"faces", upload->mesh.face_count},
+  nlohmann::ordered_json line = {{"faces", upload->mesh.faces},
                                  {"landmarks", wishes.landmarks}};
   if (wishes.landmarks) {
     const auto start = std::chrono::steady_clock::now();
@@ -74,7 +74,7 @@ int Measure(const Wishes& wishes) {
 
   std::mt19937 random(wishes.seed);
   std::uniform_int_distribution<uint32_t> any(
-      0, static_cast<uint32_t>(upload->mesh.vertex_count - 1));
+      0, static_cast<uint32_t>(upload->mesh.vertices - 1));
   PairQuery query{.mesh_digest = digest};
   std::vector<double> seconds;
   for (uint32_t i = 0; i < wishes.single; ++i) {

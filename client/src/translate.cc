@@ -11,6 +11,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
 #include "codec/algorithms.h"
+#include "codec/mesh_summary.h"
 #include "geodesic_types/algorithms.h"
 
 namespace geodesic::client {
@@ -34,10 +35,6 @@ std::vector<std::string> NamesOf(const List& list) {
 
 }  // namespace
 
-Point FromProto(const v1::Point& point) {
-  return {point.x(), point.y(), point.z()};
-}
-
 Approximation FromProto(const v1::Approximation& approximation) {
   Approximation result;
   if (approximation.has_neighbours()) {
@@ -49,44 +46,21 @@ Approximation FromProto(const v1::Approximation& approximation) {
 }
 
 MeshInfo FromProto(const v1::Mesh& mesh) {
-  std::vector<PreparedMethod> methods;
+  MeshInfo info;
+  info.digest = mesh.digest();
+  codec::FromProto(mesh, info);
+  info.notes = {mesh.notes().begin(), mesh.notes().end()};
+  info.resident_bytes = mesh.resident_bytes();
+  info.stored_bytes = mesh.stored_bytes();
+  info.landmark_count = mesh.landmark_count();
   for (const v1::PreparedMethod& method : mesh.prepared_methods()) {
-    methods.push_back({.algorithm = AlgorithmName(method.algorithm()),
-                       .approximation = FromProto(method.approximation()),
-                       .bytes = method.prepared_bytes(),
-                       .prepare_seconds = method.prepare_seconds()});
+    info.prepared_methods.push_back(
+        {.algorithm = AlgorithmName(method.algorithm()),
+         .approximation = FromProto(method.approximation()),
+         .bytes = method.prepared_bytes(),
+         .prepare_seconds = method.prepare_seconds()});
   }
-  return {
-      .digest = mesh.digest(),
-      .vertex_count = mesh.vertex_count(),
-      .face_count = mesh.face_count(),
-      .edge_count = mesh.edge_count(),
-      .boundary_edge_count = mesh.boundary_edge_count(),
-      .boundary_loop_count = mesh.boundary_loop_count(),
-      .component_count = mesh.component_count(),
-      .isolated_vertex_count = mesh.isolated_vertex_count(),
-      .genus = mesh.has_genus() ? std::optional(mesh.genus()) : std::nullopt,
-      .saddle_vertex_count = mesh.saddle_vertex_count(),
-      .degenerate_face_count = mesh.degenerate_face_count(),
-      .bounding_box_min = FromProto(mesh.bounding_box_min()),
-      .bounding_box_max = FromProto(mesh.bounding_box_max()),
-      .mean_edge_length = mesh.mean_edge_length(),
-      .anisotropy = mesh.anisotropy(),
-      .resident_bytes = mesh.resident_bytes(),
-      .stored_bytes = mesh.stored_bytes(),
-      .landmark_count = mesh.landmark_count(),
-      .prepared_methods = std::move(methods),
-      .non_manifold_edge_count = mesh.non_manifold_edge_count(),
-      .non_manifold_vertex_count = mesh.non_manifold_vertex_count(),
-      .inconsistent_edge_count = mesh.inconsistent_edge_count(),
-      .orientable = mesh.orientable(),
-      .notes = {mesh.notes().begin(), mesh.notes().end()},
-      .seam_edge_count = mesh.seam_edge_count(),
-      .joined_vertex_count = mesh.joined_vertex_count(),
-      .left_out_face_count = mesh.left_out_face_count(),
-      .close_edge_count = mesh.close_edge_count(),
-      .close_edge_distance = mesh.close_edge_distance(),
-      .touching_edge_count = mesh.touching_edge_count()};
+  return info;
 }
 
 FieldOrigin FromProto(v1::AnswerOrigin origin) {

@@ -27,7 +27,6 @@
 
 namespace geodesic::client {
 
-Point FromProto(const v1::Point& point);
 Approximation FromProto(const v1::Approximation& approximation);
 MeshInfo FromProto(const v1::Mesh& mesh);
 FieldOrigin FromProto(v1::AnswerOrigin origin);

@@ -177,29 +177,12 @@ py::dict Facts(const MeshHandle& self) {
     const py::gil_scoped_release unlocked;
     summary = Summarize(*self.mesh);
   }
-  using namespace py::literals;
-  return py::dict(
-      "vertices"_a = summary.vertices, "faces"_a = summary.faces,
-      "edges"_a = summary.edges, "boundary_edges"_a = summary.boundary_edges,
-      "boundary_loops"_a = summary.boundary_loops,
-      "components"_a = summary.components,
-      "isolated_vertices"_a = summary.isolated_vertices,
-      "non_manifold_edges"_a = summary.non_manifold_edges,
-      "non_manifold_vertices"_a = summary.non_manifold_vertices,
-      "inconsistent_edges"_a = summary.inconsistent_edges,
-      "is_orientable"_a = summary.is_orientable, "genus"_a = summary.genus,
-      "saddle_vertices"_a = summary.saddle_vertices,
-      "degenerate_faces"_a = summary.degenerate_faces,
-      "left_out_faces"_a = summary.left_out_faces,
-      "seam_edges"_a = summary.seam_edges,
-      "joined_vertices"_a = summary.joined_vertices,
-      "close_edges"_a = summary.close_edges,
-      "touching_edges"_a = summary.touching_edges,
-      "close_edge_distance"_a = summary.close_edge_distance,
-      "bounding_box_min"_a = summary.bounding_box_min,
-      "bounding_box_max"_a = summary.bounding_box_max,
-      "mean_edge_length"_a = summary.mean_edge_length,
-      "anisotropy"_a = summary.anisotropy, "notes"_a = Notes(summary));
+  py::dict facts;
+  ForEachFact(summary, [&facts](const char* name, const auto& fact) {
+    facts[name] = py::cast(fact);
+  });
+  facts["notes"] = py::cast(Notes(summary));
+  return facts;
 }
 
 QueryHandle MakeQuery(const MeshHandle& mesh, const SourceArrays& sources,

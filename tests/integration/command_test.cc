@@ -89,7 +89,7 @@ TEST_F(CommandTest, InfoSeesTurnedFaces) {
             "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n3 0 1 2\n3 0 1 3\n");
   const json info = GeodesicJson({"info", folder_ / "turned.off"});
   EXPECT_EQ(info["inconsistent_edges"], 1);
-  EXPECT_EQ(info["orientable"], true);
+  EXPECT_EQ(info["is_orientable"], true);
   EXPECT_THAT(Geodesic({"info", folder_ / "turned.off"}).out,
               HasSubstr("turned against each other"));
 }

@@ -44,11 +44,11 @@ class SeamsTest : public IntegrationTest {
 TEST_F(SeamsTest, AreJoinedAndTold) {
   const auto upload = client_.UploadFile(box_);
   ASSERT_TRUE(upload.ok()) << upload.status();
-  EXPECT_EQ(upload->mesh.vertex_count, 24);
-  EXPECT_EQ(upload->mesh.boundary_edge_count, 0);
-  EXPECT_EQ(upload->mesh.isolated_vertex_count, 0);
-  EXPECT_EQ(upload->mesh.seam_edge_count, 12);
-  EXPECT_EQ(upload->mesh.joined_vertex_count, 16);
+  EXPECT_EQ(upload->mesh.vertices, 24);
+  EXPECT_EQ(upload->mesh.boundary_edges, 0);
+  EXPECT_EQ(upload->mesh.isolated_vertices, 0);
+  EXPECT_EQ(upload->mesh.seam_edges, 12);
+  EXPECT_EQ(upload->mesh.joined_vertices, 16);
   EXPECT_THAT(upload->mesh.notes, ElementsAre(kJoined));
   const auto field = client_.ComputeField(
       {.mesh_digest = upload->mesh.digest, .sources = {{VertexPoint{0}}}});
@@ -85,7 +85,7 @@ TEST_F(SeamsTest, WeldingIsPartOfTheQuestionAndOfTheMesh) {
   const auto within =
       client_.UploadFile(box_, MeshFormat::kObj, {.distance = 0.1});
   ASSERT_TRUE(usual.ok() && apart.ok() && within.ok());
-  EXPECT_EQ(apart->mesh.component_count, 6);
+  EXPECT_EQ(apart->mesh.components, 6);
   EXPECT_THAT(apart->mesh.notes,
               ElementsAre(HasSubstr("24 boundary edges lie within 0 of")));
   EXPECT_NE(apart->mesh.digest, usual->mesh.digest);

@@ -120,7 +120,7 @@ class Draw {
 
   // Every other time one of the first three, where most faces meet.
   SurfacePoint Vertex() {
-    const auto count = static_cast<uint32_t>(mesh_.vertex_count);
+    const auto count = static_cast<uint32_t>(mesh_.vertices);
     const bool is_first = random_.Below(2) == 0;
     return VertexPoint{random_.Below(is_first ? std::min(3u, count) : count)};
   }
@@ -156,9 +156,7 @@ class Draw {
     std::ranges::generate(items, make);
     return items;
   }
-  uint32_t Face() {
-    return random_.Below(static_cast<uint32_t>(mesh_.face_count));
-  }
+  uint32_t Face() { return random_.Below(static_cast<uint32_t>(mesh_.faces)); }
   SurfacePoint InFace(uint32_t face) {
     const double a = random_.Uniform(0, 1);
     const double b = random_.Uniform(0, 1 - a);

@@ -22,10 +22,10 @@ std::string Genus(const MeshInfo& mesh) {
 
 // Whether the faces are oriented consistently, or could be.
 std::string Orientation(const MeshInfo& mesh) {
-  if (!mesh.orientable) return "not orientable";
-  if (mesh.inconsistent_edge_count == 0) return "consistent";
+  if (!mesh.is_orientable) return "not orientable";
+  if (mesh.inconsistent_edges == 0) return "consistent";
   return absl::StrCat("orientable, but the faces at ",
-                      GroupedNumber(mesh.inconsistent_edge_count),
+                      GroupedNumber(mesh.inconsistent_edges),
                       " edges are turned against each other");
 }
 
@@ -51,27 +51,25 @@ std::string FirstSource(const MeshInfo& mesh) {
 std::vector<Fact> FactsOf(const MeshInfo& mesh) {
   std::vector<Fact> facts = {
       {"digest", mesh.digest},
-      {"vertices", GroupedNumber(mesh.vertex_count)},
-      {"faces", GroupedNumber(mesh.face_count)},
-      {"edges", GroupedNumber(mesh.edge_count)},
+      {"vertices", GroupedNumber(mesh.vertices)},
+      {"faces", GroupedNumber(mesh.faces)},
+      {"edges", GroupedNumber(mesh.edges)},
       {"boundary",
-       absl::StrCat(GroupedNumber(mesh.boundary_edge_count), " edges in ",
-                    GroupedNumber(mesh.boundary_loop_count), " loops")},
-      {"components", GroupedNumber(mesh.component_count)},
-      {"isolated vertices", GroupedNumber(mesh.isolated_vertex_count)},
+       absl::StrCat(GroupedNumber(mesh.boundary_edges), " edges in ",
+                    GroupedNumber(mesh.boundary_loops), " loops")},
+      {"components", GroupedNumber(mesh.components)},
+      {"isolated vertices", GroupedNumber(mesh.isolated_vertices)},
       {"non-manifold",
-       absl::StrCat(GroupedNumber(mesh.non_manifold_edge_count), " edges, ",
-                    GroupedNumber(mesh.non_manifold_vertex_count),
-                    " vertices")},
+       absl::StrCat(GroupedNumber(mesh.non_manifold_edges), " edges, ",
+                    GroupedNumber(mesh.non_manifold_vertices), " vertices")},
       {"orientation", Orientation(mesh)},
       {"genus", Genus(mesh)},
-      {"saddle vertices", GroupedNumber(mesh.saddle_vertex_count)},
-      {"degenerate faces", GroupedNumber(mesh.degenerate_face_count)},
-      {"left out faces", GroupedNumber(mesh.left_out_face_count)},
+      {"saddle vertices", GroupedNumber(mesh.saddle_vertices)},
+      {"degenerate faces", GroupedNumber(mesh.degenerate_faces)},
+      {"left out faces", GroupedNumber(mesh.left_out_faces)},
       {"seams",
-       absl::StrCat(GroupedNumber(mesh.seam_edge_count), " edges joined, ",
-                    GroupedNumber(mesh.joined_vertex_count),
-                    " vertices repeated")},
+       absl::StrCat(GroupedNumber(mesh.seam_edges), " edges joined, ",
+                    GroupedNumber(mesh.joined_vertices), " vertices repeated")},
       {"bounding box",
        absl::StrCat(ShortNumbers(mesh.bounding_box_min), "  to  ",
                     ShortNumbers(mesh.bounding_box_max))},
@@ -104,37 +102,21 @@ Json MethodsJson(const std::vector<PreparedMethod>& methods) {
 }
 
 Json ToJson(const MeshInfo& mesh) {
-  return {{"digest", mesh.digest},
-          {"vertices", mesh.vertex_count},
-          {"faces", mesh.face_count},
-          {"edges", mesh.edge_count},
-          {"boundary_edges", mesh.boundary_edge_count},
-          {"boundary_loops", mesh.boundary_loop_count},
-          {"components", mesh.component_count},
-          {"isolated_vertices", mesh.isolated_vertex_count},
-          {"non_manifold_edges", mesh.non_manifold_edge_count},
-          {"non_manifold_vertices", mesh.non_manifold_vertex_count},
-          {"inconsistent_edges", mesh.inconsistent_edge_count},
-          {"orientable", mesh.orientable},
-          {"genus", mesh.genus.has_value() ? Json(*mesh.genus) : Json()},
-          {"saddle_vertices", mesh.saddle_vertex_count},
-          {"degenerate_faces", mesh.degenerate_face_count},
-          {"left_out_faces", mesh.left_out_face_count},
-          {"seam_edges", mesh.seam_edge_count},
-          {"joined_vertices", mesh.joined_vertex_count},
-          {"close_edges", mesh.close_edge_count},
-          {"touching_edges", mesh.touching_edge_count},
-          {"close_edge_distance", mesh.close_edge_distance},
-          {"notes", mesh.notes},
-          {"bounding_box_min", mesh.bounding_box_min},
-          {"bounding_box_max", mesh.bounding_box_max},
-          {"bounding_box_size", Extent(mesh)},
-          {"mean_edge_length", mesh.mean_edge_length},
-          {"anisotropy", mesh.anisotropy},
-          {"resident_bytes", mesh.resident_bytes},
-          {"stored_bytes", mesh.stored_bytes},
-          {"landmarks", mesh.landmark_count},
-          {"prepared", MethodsJson(mesh.prepared_methods)}};
+  Json json = {{"digest", mesh.digest}};
+  ForEachFact(mesh, [&json](const char* name, const auto& fact) {
+    if constexpr (requires { fact.has_value(); }) {
+      json[name] = fact.has_value() ? Json(*fact) : Json();
+    } else {
+      json[name] = fact;
+    }
+  });
+  json["bounding_box_size"] = Extent(mesh);
+  json["notes"] = mesh.notes;
+  json["resident_bytes"] = mesh.resident_bytes;
+  json["stored_bytes"] = mesh.stored_bytes;
+  json["landmarks"] = mesh.landmark_count;
+  json["prepared"] = MethodsJson(mesh.prepared_methods);
+  return json;
 }
 
 struct UploadArguments {
@@ -204,10 +186,9 @@ absl::Status List(const NoArguments&, const Session& session) {
   std::vector<std::vector<std::string>> rows;
   for (const MeshInfo& mesh : *meshes) {
     list.push_back(ToJson(mesh));
-    rows.push_back({mesh.digest.substr(0, 16), GroupedNumber(mesh.vertex_count),
-                    GroupedNumber(mesh.face_count),
-                    GroupedNumber(mesh.component_count),
-                    GroupedNumber(mesh.boundary_loop_count), Genus(mesh),
+    rows.push_back({mesh.digest.substr(0, 16), GroupedNumber(mesh.vertices),
+                    GroupedNumber(mesh.faces), GroupedNumber(mesh.components),
+                    GroupedNumber(mesh.boundary_loops), Genus(mesh),
                     ByteCount(mesh.resident_bytes)});
   }
   if (session.json) {

@@ -34,7 +34,7 @@ absl::StatusOr<std::vector<std::string>> NotesOnSources(
   // The shared tier may have it, from which the question fetches it.
   if (absl::IsNotFound(info.status())) return std::vector<std::string>();
   if (!info.ok()) return info.status();
-  if (info->isolated_vertex_count == 0) return std::vector<std::string>();
+  if (info->isolated_vertices == 0) return std::vector<std::string>();
   absl::StatusOr<MeshArrays> mesh =
       session.client.ReadMesh(mesh_digest, session.call);
   if (!mesh.ok()) return mesh.status();

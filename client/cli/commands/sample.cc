@@ -117,7 +117,7 @@ absl::StatusOr<uint32_t> FirstOnSurface(const Session& session,
   // The shared tier may have it, from which the question fetches it.
   if (absl::IsNotFound(info.status())) return 0;
   if (!info.ok()) return info.status();
-  if (info->isolated_vertex_count == 0) return 0;
+  if (info->isolated_vertices == 0) return 0;
   const absl::StatusOr<MeshArrays> mesh =
       session.client.ReadMesh(mesh_digest, session.call);
   if (!mesh.ok()) return mesh.status();

@@ -12,11 +12,10 @@
 
 #include "absl/status/statusor.h"
 #include "geodesic_client/answer.h"
+#include "geodesic_types/mesh_summary.h"
+#include "geodesic_types/places.h"
 
 namespace geodesic::client {
-
-// A point in space, in the unit of the mesh's file.
-using Point = std::array<double, 3>;
 
 // Three vertex indices, 0-based.
 using Triangle = std::array<uint32_t, 3>;
@@ -57,27 +56,12 @@ struct PreparedMethod {
   double prepare_seconds = 0;
 };
 
-// A mesh that is resident on the server.
-struct MeshInfo {
+// A mesh that is resident on the server, and the facts about it.
+struct MeshInfo : MeshSummary {
   std::string digest;
-  uint64_t vertex_count = 0;
-  uint64_t face_count = 0;
-  uint64_t edge_count = 0;
-  uint64_t boundary_edge_count = 0;
-  uint64_t boundary_loop_count = 0;
-  // Connected pieces that have at least one face.
-  uint64_t component_count = 0;
-  uint64_t isolated_vertex_count = 0;
-  // Nothing on a mesh that is not orientable or has non-manifold edges.
-  std::optional<int64_t> genus;
-  // Interior vertices whose cone angle exceeds 2 pi.
-  uint64_t saddle_vertex_count = 0;
-  uint64_t degenerate_face_count = 0;
-  Point bounding_box_min = {};
-  Point bounding_box_max = {};
-  double mean_edge_length = 0;
-  // 1 for equilateral faces, larger for slimmer ones.
-  double anisotropy = 0;
+  // What was joined, left out or guessed when the mesh was read, and what looks
+  // as if it should have been joined: a sentence each, for people.
+  std::vector<std::string> notes = {};
   // Memory that the mesh takes on the server; 0 if it is on disk only.
   uint64_t resident_bytes = 0;
   // Bytes that the mesh takes on the server's disk; 0 if the server keeps
@@ -87,29 +71,6 @@ struct MeshInfo {
   uint64_t landmark_count = 0;
   // What the server keeps in memory for approximate algorithms.
   std::vector<PreparedMethod> prepared_methods = {};
-  // Edges with three faces or more, and vertices around which the faces do not
-  // form one disk or half-disk.
-  uint64_t non_manifold_edge_count = 0;
-  uint64_t non_manifold_vertex_count = 0;
-  // Edges along which two faces run in the same direction.
-  uint64_t inconsistent_edge_count = 0;
-  // Whether the faces could be turned so that no such edge is left.
-  bool orientable = true;
-  // What was joined, left out or guessed when the mesh was read, and what looks
-  // as if it should have been joined: a sentence each, for people.
-  std::vector<std::string> notes = {};
-  // Edges that were joined, and vertices that are others' repeats.
-  uint64_t seam_edge_count = 0;
-  uint64_t joined_vertex_count = 0;
-  // Faces that name a vertex twice, which are no part of the surface.
-  uint64_t left_out_face_count = 0;
-  // Boundary edges that lie close to others and were not joined, and the
-  // distance that joins them.
-  uint64_t close_edge_count = 0;
-  double close_edge_distance = 0;
-  // Boundary edges that lie along other edges, but not end to end with another
-  // boundary edge: nothing joins them.
-  uint64_t touching_edge_count = 0;
 };
 
 // What became of an upload.

@@ -8,10 +8,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace geodesic {
+#include "geodesic_types/places.h"
 
-// A point in space, in the unit of the mesh's file.
-using Point = std::array<double, 3>;
+namespace geodesic {
 
 // Three vertex indices, 0-based.
 using Triangle = std::array<uint32_t, 3>;

@@ -1,4 +1,5 @@
-// All limits of the engine; GetCapabilities publishes them.
+// All limits of the engine; GetCapabilities publishes those that clients meet.
+// geodesicd divides --memory among the budgets (options/memory.cc).
 
 #ifndef GEODESIC_SERVER_ENGINE_BASE_LIMITS_H_
 #define GEODESIC_SERVER_ENGINE_BASE_LIMITS_H_

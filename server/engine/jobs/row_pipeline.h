@@ -1,5 +1,6 @@
-// Computes each row of a matrix in a job of its own and hands the rows out in
-// order. Only a few rows are computed ahead of the reader.
+// Computes each row of an answer (of a matrix; some pairs, lines or paths) in a
+// job of its own and hands the rows out in order. Only a few rows are computed
+// ahead of the reader.
 
 #ifndef GEODESIC_SERVER_ENGINE_JOBS_ROW_PIPELINE_H_
 #define GEODESIC_SERVER_ENGINE_JOBS_ROW_PIPELINE_H_

@@ -19,31 +19,15 @@ constexpr std::chrono::milliseconds kDiskRetryDelay{5000};
 // Calls `visit` for each number of a summary, in the order of the file.
 template <typename Summary, typename Visit>
 void VisitNumbers(Summary& summary, Visit visit) {
-  visit(summary.vertices);
-  visit(summary.faces);
-  visit(summary.edges);
-  visit(summary.boundary_edges);
-  visit(summary.boundary_loops);
-  visit(summary.components);
-  visit(summary.isolated_vertices);
-  visit(summary.non_manifold_edges);
-  visit(summary.non_manifold_vertices);
-  visit(summary.inconsistent_edges);
-  visit(summary.is_orientable);
-  visit(summary.saddle_vertices);
-  visit(summary.degenerate_faces);
-  visit(summary.left_out_faces);
-  visit(summary.seam_edges);
-  visit(summary.joined_vertices);
+  ForEachFact(summary, [&](std::string_view, auto& fact) {
+    if constexpr (requires { fact.size(); }) {
+      for (auto& number : fact) visit(number);
+    } else if constexpr (!requires { fact.has_value(); }) {
+      visit(fact);
+    }
+  });
   visit(summary.crossing_polygons);
   visit(summary.first_crossing_polygon);
-  visit(summary.close_edges);
-  visit(summary.close_edge_distance);
-  visit(summary.touching_edges);
-  for (auto& x : summary.bounding_box_min) visit(x);
-  for (auto& x : summary.bounding_box_max) visit(x);
-  visit(summary.mean_edge_length);
-  visit(summary.anisotropy);
 }
 
 struct Metadata {

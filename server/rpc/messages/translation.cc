@@ -10,6 +10,7 @@
 #include "absl/strings/str_cat.h"
 #include "codec/algorithms.h"
 #include "codec/mesh_format.h"
+#include "codec/mesh_summary.h"
 #include "codec/places.h"
 #include "geodesic_types/algorithms.h"
 #include "geodesic_types/field_path.h"
@@ -198,12 +199,6 @@ absl::Status AddPairs(const v1::ComputePairsRequest& request,
   return absl::OkStatus();
 }
 
-void SetPoint(const Point& from, v1::Point& to) {
-  to.set_x(from[0]);
-  to.set_y(from[1]);
-  to.set_z(from[2]);
-}
-
 absl::Status Unknown(const std::string& field, int number) {
   return InvalidField(field, absl::StrCat(field, " is ", number,
                                           ", which this server does not know"));
@@ -342,37 +337,15 @@ absl::Status Translate(const v1::ComputeFieldRequest& request,
 }
 
 v1::Mesh ToProto(const MeshDescription& mesh) {
-  const MeshSummary& summary = mesh.summary;
   v1::Mesh proto;
   proto.set_digest(mesh.digest);
-  proto.set_vertex_count(summary.vertices);
-  proto.set_face_count(summary.faces);
-  proto.set_edge_count(summary.edges);
-  proto.set_boundary_edge_count(summary.boundary_edges);
-  proto.set_boundary_loop_count(summary.boundary_loops);
-  proto.set_component_count(summary.components);
-  proto.set_isolated_vertex_count(summary.isolated_vertices);
-  if (summary.genus.has_value()) proto.set_genus(*summary.genus);
-  proto.set_saddle_vertex_count(summary.saddle_vertices);
-  proto.set_degenerate_face_count(summary.degenerate_faces);
-  SetPoint(summary.bounding_box_min, *proto.mutable_bounding_box_min());
-  SetPoint(summary.bounding_box_max, *proto.mutable_bounding_box_max());
-  proto.set_mean_edge_length(summary.mean_edge_length);
-  proto.set_anisotropy(summary.anisotropy);
+  codec::ToProto(mesh.summary, proto);
+  for (std::string& note : Notes(mesh.summary)) {
+    proto.add_notes(std::move(note));
+  }
   proto.set_resident_bytes(mesh.resident_bytes);
   proto.set_stored_bytes(mesh.stored_bytes);
   proto.set_landmark_count(mesh.landmarks);
-  proto.set_non_manifold_edge_count(summary.non_manifold_edges);
-  proto.set_non_manifold_vertex_count(summary.non_manifold_vertices);
-  proto.set_inconsistent_edge_count(summary.inconsistent_edges);
-  proto.set_orientable(summary.is_orientable);
-  for (std::string& note : Notes(summary)) proto.add_notes(std::move(note));
-  proto.set_seam_edge_count(summary.seam_edges);
-  proto.set_joined_vertex_count(summary.joined_vertices);
-  proto.set_left_out_face_count(summary.left_out_faces);
-  proto.set_close_edge_count(summary.close_edges);
-  proto.set_touching_edge_count(summary.touching_edges);
-  proto.set_close_edge_distance(summary.close_edge_distance);
   for (const MethodDescription& method : mesh.methods) {
     v1::PreparedMethod& prepared = *proto.add_prepared_methods();
     prepared.set_algorithm(codec::ToProto(method.choice.method));

@@ -70,8 +70,6 @@ absl::StatusOr<LineQuestion> ReadLines(const v1::TraceLinesRequest& request,
 absl::Status AddPairs(const v1::ComputePairsRequest& request,
                       const Limits& limits, std::vector<PointPair>& pairs);
 
-void SetPoint(const Point& from, v1::Point& to);
-
 // Questions and their answers.
 
 // What geodesic::Solve guarantees (solve.h).

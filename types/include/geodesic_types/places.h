@@ -10,6 +10,9 @@
 
 namespace geodesic {
 
+// A point in space, in the unit of the mesh's file.
+using Point = std::array<double, 3>;
+
 // A vertex, numbered from 0.
 struct VertexPoint {
   uint32_t vertex = 0;
