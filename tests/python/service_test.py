@@ -36,7 +36,7 @@ import tolerance_test  # noqa: E402
 import tolerances  # noqa: E402
 
 import geodesic  # noqa: E402
-from geodesic import approximate, calls, wire  # noqa: E402
+from geodesic import approximate, calls, error_details  # noqa: E402
 
 ARGUMENTS = None
 TOKEN = "correct-horse-battery-staple"
@@ -398,7 +398,7 @@ class PauseTest(unittest.TestCase):
         said.trailing_metadata.return_value = [
             ("grpc-retry-pushback-ms", pushback)]
         said.code.return_value = grpc.StatusCode.RESOURCE_EXHAUSTED
-        error = wire.error_of(said)
+        error = error_details.error_of(said)
         patience = calls.Patience(deadline)
         with mock.patch.object(calls.time, "sleep") as sleep:
             with self.assertRaises(geodesic.ResourceExhausted):
