@@ -98,6 +98,7 @@ class Builder {
         const auto near = search.Around(v, options_.neighbours, [&] {
           return IsStopped(member, search.bytes());
         });
+        if (is_stopped_) return;
         for (const auto& [w, distance, is_direct] : near) {
           if (is_direct) arcs_[v].push_back({w, static_cast<float>(distance)});
         }

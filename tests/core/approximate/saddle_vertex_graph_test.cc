@@ -246,6 +246,21 @@ TEST(SaddleVertexGraph, TellsHowManyVerticesAreDone) {
   EXPECT_GT(checkpoint.polls().size(), 50u);
 }
 
+// Around a hub a search asks in its midst: no vertex was done since.
+TEST(SaddleVertexGraph, DoesNoMoreOnceItIsToldToStop) {
+  const auto mesh = BuildOrFail({"fan", NeedleFan(8192)});
+  RecordingCheckpoint whole;
+  ASSERT_TRUE(SaddleVertexGraph::Prepare(*mesh, {}, whole).ok());
+  const auto same = std::ranges::adjacent_find(whole.polls(), {},
+                                               &Progress::vertices_reached);
+  ASSERT_NE(same, whole.polls().end());
+  const auto midst = static_cast<uint64_t>(same - whole.polls().begin()) + 1;
+  RecordingCheckpoint checkpoint(midst);
+  EXPECT_EQ(SaddleVertexGraph::Prepare(*mesh, {}, checkpoint).status(),
+            RecordingCheckpoint::Stopped());
+  EXPECT_EQ(checkpoint.polls().size(), midst + 1);
+}
+
 // When all arcs are found they are put together: a step for each vertex and
 // half-edge, twice, and a poll for every 2048.
 TEST(SaddleVertexGraph, AsksWhileItPutsArcsTogether) {
