@@ -38,28 +38,6 @@ TEST_F(AnswersTest, FieldsSayWhatTheyAre) {
   EXPECT_EQ(field->settled_radius, 2);
 }
 
-TEST_F(AnswersTest, FieldsHaveQuantitiesAndTargets) {
-  const FieldQuery query = {
-      .targets = {VertexPoint{0}}, .nearest_sources = true, .gradients = true};
-  Play({FieldHeader()
-            .Words("nearest_source", {3})
-            .Doubles("gradient", {3, 3})
-            .Doubles("target_distance", {1}),
-        Message().Put(0, 0, D{1, 2, kInfinity}).Put(1, 0, W{3, 3, kNoSource}),
-        Message()
-            .Put(2, 0, D{1, 0, 0, 0, 0.5, 0, 0, 0, 0})
-            .Put(3, 0, D{0.25})
-            .Trailer()});
-  const absl::StatusOr<Field> field = client_->ComputeField(query);
-  ASSERT_TRUE(field.ok()) << field.status();
-  EXPECT_THAT(field->nearest_sources, ElementsAre(3, 3, kNoSource));
-  EXPECT_EQ(field->gradients[1], (std::array<double, 3>{0, 0.5, 0}));
-  EXPECT_THAT(field->target_distances, ElementsAre(0.25));
-  // What was asked for and does not come.
-  Play({FieldHeader().Put(0, 0, D{1, 2, 3}).Trailer()});
-  ExpectDataLoss(client_->ComputeField(query).status(), "nearest_source");
-}
-
 TEST_F(AnswersTest, ReportsProgress) {
   v1::Answer progress;
   progress.mutable_progress()->set_settled_radius(0.5);
@@ -237,15 +215,6 @@ class MatrixTest : public AnswersTest {
   Matrix matrix_;
 };
 
-TEST_F(MatrixTest, DenseRowsComeInPieces) {
-  Play({dense_, Message().Put(0, 0, D{1, 2}), Message().Put(0, 2, D{3, 4, 5}),
-        Message().Put(0, 5, D{6}).Trailer()});
-  ASSERT_TRUE(Ask(false).ok());
-  EXPECT_THAT(matrix_.shape, ElementsAre(2, 3));
-  EXPECT_THAT(matrix_.rows, ElementsAre(std::pair(W{}, D{1, 2, 3}),
-                                        std::pair(W{}, D{4, 5, 6})));
-}
-
 TEST_F(MatrixTest, SparseRowsHaveColumnsAndMayBeEmpty) {
   Play({sparse_, Message().Put(1, 0, W{0, 2}).Put(2, 0, D{1}),
         Message().Put(0, 0, L{2}).Put(2, 1, D{2}),
@@ -304,19 +273,7 @@ TEST_F(AnswersTest, NearestTargetsComeBySource) {
   ExpectDataLoss(client_->FindNearest(query).status(), "column 3 of 3");
 }
 
-TEST_F(AnswersTest, SamplesAndLogMapsAreTheirArrays) {
-  Play({Message()
-            .Words("vertex", {-1})
-            .Doubles("distance", {-1})
-            .Put(0, 0, W{2, 1})
-            .Put(1, 0, D{kInfinity, 1})
-            .Trailer()});
-  const absl::StatusOr<SampleAnswer> samples =
-      client_->SampleFarthestPoints({});
-  ASSERT_TRUE(samples.ok()) << samples.status();
-  ASSERT_THAT(samples->samples, SizeIs(2));
-  EXPECT_EQ(samples->samples[0].vertex, 2);
-  EXPECT_EQ(samples->samples[1].distance, 1);
+TEST_F(AnswersTest, ALogMapIsItsArrays) {
   Play({Message()
             .Doubles("zero_direction", {3})
             .Doubles("coordinates", {3, 2})

@@ -1,4 +1,4 @@
-// What is put together from the messages of a mesh, and what is refused.
+// What is refused of the messages of a mesh.
 
 #include "client/src/mesh_assembler.h"
 
@@ -10,24 +10,16 @@
 #include <utility>
 #include <vector>
 
-#include "absl/status/status.h"
+#include "tests/client/scripted_service.h"
 
 namespace geodesic::client {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 // Elements as they travel.
 template <typename Element>
 std::string Bytes(const std::vector<Element>& elements) {
   return {reinterpret_cast<const char*>(elements.data()),
           elements.size() * sizeof(Element)};
-}
-
-void ExpectDataLoss(const absl::Status& status, const std::string& words) {
-  EXPECT_EQ(status.code(), absl::StatusCode::kDataLoss) << status;
-  EXPECT_THAT(std::string(status.message()), HasSubstr(words));
 }
 
 v1::ReadMeshResponse Header(uint64_t vertices, uint64_t faces) {
@@ -54,32 +46,18 @@ v1::ReadMeshResponse Faces(uint64_t first,
 }
 
 // The first status that is not OK, Finish's included.
-absl::Status Assemble(const std::vector<v1::ReadMeshResponse>& messages,
-                      MeshArrays* mesh = nullptr) {
+absl::Status Assemble(const std::vector<v1::ReadMeshResponse>& messages) {
   MeshAssembler assembler;
   for (const v1::ReadMeshResponse& message : messages) {
     absl::Status status = assembler.Consume(message);
     if (!status.ok()) return status;
   }
-  absl::StatusOr<MeshArrays> finished = std::move(assembler).Finish();
-  if (finished.ok() && mesh != nullptr) *mesh = *std::move(finished);
-  return finished.status();
+  return std::move(assembler).Finish().status();
 }
 
 const Point kA = {0, 0, 0};
 const Point kB = {1, 0, 0.1};
 const Point kC = {0, 1, 1e300};
-
-TEST(MeshAssemblerTest, PutsChunksTogether) {
-  MeshArrays mesh;
-  ASSERT_TRUE(Assemble({Header(3, 2), Vertices(0, {kA, kB}), Vertices(2, {kC}),
-                        Faces(0, {{0, 1, 2}}), Faces(1, {{2, 1, 0}})},
-                       &mesh)
-                  .ok());
-  EXPECT_THAT(mesh.positions, ElementsAre(kA, kB, kC));
-  EXPECT_THAT(mesh.triangles,
-              ElementsAre(Triangle{0, 1, 2}, Triangle{2, 1, 0}));
-}
 
 TEST(MeshAssemblerTest, RefusesWhatIsNotDue) {
   v1::ReadMeshResponse part;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "client/places/place_finder.h"
+#include "tests/support/surface_points.h"
 
 namespace geodesic::client {
 namespace {
@@ -26,29 +27,13 @@ const MeshArrays kWings = {
     {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, -4, 0}, {1, 1, 9}},
     {{0, 1, 2}, {0, 3, 1}}};
 
-Point Where(const SurfacePoint& point, const MeshArrays& mesh) {
-  std::vector<std::pair<double, uint64_t>> corners;
-  if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
-    corners = {{1, vertex->vertex}};
-  } else if (const auto* edge = std::get_if<EdgePoint>(&point)) {
-    corners = {{1 - edge->t, edge->from}, {edge->t, edge->to}};
-  } else {
-    const auto& in_face = std::get<FacePoint>(point);
-    for (size_t i = 0; i < 3; ++i) {
-      corners.emplace_back(in_face.weights[i], mesh.triangles[in_face.face][i]);
-    }
-  }
-  Point sum = {};
-  for (const auto& [weight, vertex] : corners) {
-    for (size_t axis = 0; axis < 3; ++axis) {
-      sum[axis] += weight * mesh.positions.at(vertex)[axis];
-    }
-  }
-  return sum;
-}
-
-double Distance(const Point& a, const Point& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+// How far a point of the mesh is away.
+double Distance(const SurfacePoint& point, const MeshArrays& mesh,
+                const Point& to) {
+  return static_cast<double>(test::Norm(
+      test::PositionIn(
+          {.positions = mesh.positions, .triangles = mesh.triangles}, point) -
+      test::ToVec3(to)));
 }
 
 TEST(NearestPointTest, IsInAFaceOnAnEdgeOrAVertex) {
@@ -101,7 +86,7 @@ TEST(NearestPointTest, NoOtherPointIsNearer) {
       EXPECT_GT(on_edge->t, 0);
       EXPECT_LT(on_edge->t, 1);
     }
-    const double distance = Distance(Where(*found, mesh), to);
+    const double distance = Distance(*found, mesh, to);
     constexpr int kSteps = 20;
     for (uint32_t face = 0; face < mesh.triangles.size(); ++face) {
       for (int i = 0; i <= kSteps; ++i) {
@@ -109,8 +94,7 @@ TEST(NearestPointTest, NoOtherPointIsNearer) {
           const FacePoint sample{face,
                                  {i / double{kSteps}, j / double{kSteps},
                                   (kSteps - i - j) / double{kSteps}}};
-          EXPECT_GE(Distance(Where(sample, mesh), to), distance - kRounding)
-              << scene;
+          EXPECT_GE(Distance(sample, mesh, to), distance - kRounding) << scene;
         }
       }
     }

@@ -57,22 +57,6 @@ TEST(CheckWritableTest, FindsOutEarly) {
   EXPECT_FALSE(CheckWritable(folder / "./read.npy", inputs).ok());
 }
 
-TEST(CheckWritableTest, KnowsAnInputByWhateverLink) {
-  TemporaryFolder folder;
-  const std::string inputs[] = {folder / "read.ply"};
-  WriteFile(inputs[0], "");
-  WriteFile(folder / "other.ply", "");
-  std::filesystem::create_symlink(inputs[0], folder / "soft.ply");
-  std::filesystem::create_hard_link(inputs[0], folder / "hard.ply");
-  for (const char* name : {"soft.ply", "hard.ply"}) {
-    const absl::Status status = CheckWritable(folder / name, inputs, "go away");
-    EXPECT_THAT(std::string(status.message()),
-                HasSubstr("would replace it; go away"))
-        << name;
-  }
-  EXPECT_TRUE(CheckWritable(folder / "other.ply", inputs).ok());
-}
-
 TEST(CheckWritableTest, KnowsWhatStandardInputReads) {
   TemporaryFolder folder;
   WriteFile(folder / "list.csv", "1\n");
@@ -87,39 +71,12 @@ TEST(CheckWritableTest, KnowsWhatStandardInputReads) {
   close(before);
 }
 
-TEST(AtomicFileTest, AppearsAtCommit) {
-  TemporaryFolder folder;
-  const std::string path = folder / "out.bin";
-  absl::StatusOr<AtomicFile> file = AtomicFile::Create(path);
-  ASSERT_TRUE(file.ok()) << file.status();
-  file->Append("some ");
-  file->Append("bytes");
-  EXPECT_EQ(file->size(), 10);
-  EXPECT_FALSE(std::filesystem::exists(path));
-  ASSERT_TRUE(file->Commit().ok());
-  EXPECT_EQ(FileBytes(path), "some bytes");
-  EXPECT_EQ(folder.count(), 1);
-}
-
 // Writes "new" there.
 absl::Status WriteNew(const std::string& path) {
   absl::StatusOr<AtomicFile> file = AtomicFile::Create(path);
   if (!file.ok()) return file.status();
   file->Append("new");
   return file->Commit();
-}
-
-TEST(AtomicFileTest, LinksStayAndLeadToTheNewFile) {
-  TemporaryFolder folder;
-  ASSERT_TRUE(WriteNew(folder / "file").ok());
-  std::filesystem::create_symlink("file", folder / "link");
-  absl::StatusOr<AtomicFile> file = AtomicFile::Create(folder / "link");
-  ASSERT_TRUE(file.ok()) << file.status();
-  file->Append("newer");
-  ASSERT_TRUE(file->Commit().ok());
-  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
-  EXPECT_EQ(FileBytes(folder / "file"), "newer");
-  EXPECT_EQ(folder.count(), 2);
 }
 
 TEST(AtomicFileTest, LinksMayLeadToWhatIsNotThereYet) {

@@ -1,13 +1,9 @@
 #include "client/cli/arguments/pair_list.h"
 
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "tests/client/temporary_folder.h"
@@ -122,27 +118,6 @@ TEST(PairListTest, MayBeginWithTheNamesOfItsColumns) {
   }
 }
 
-TEST(PairListTest, OfAPipeGivesWhatHasCome) {
-  const TemporaryFolder folder;
-  const std::string path = folder / "pipe";
-  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
-  const int end = open(path.c_str(), O_RDWR);  // so that neither end waits
-  const auto write_text = [end](std::string_view text) {
-    EXPECT_EQ(write(end, text.data(), text.size()),
-              static_cast<ssize_t>(text.size()));
-  };
-  write_text("0 1\n2 3\n");
-  auto list = PairList::Open(path);
-  ASSERT_TRUE(list.ok()) << list.status();
-  EXPECT_THAT(list->Read(100)->pairs,
-              ElementsAre(Vertices(0, 1), Vertices(2, 3)));
-  write_text("4 5\n");
-  const auto second = list->Read(100);
-  EXPECT_THAT(second->pairs, ElementsAre(Vertices(4, 5)));
-  EXPECT_THAT(second->lines, ElementsAre(3));
-  close(end);
-}
-
 TEST(PairListTest, ALineHasABound) {
   auto list = PairList::Open("/dev/zero");
   ASSERT_TRUE(list.ok()) << list.status();
@@ -154,17 +129,6 @@ TEST(PairListTest, AFolderIsNoFile) {
   const TemporaryFolder folder;
   auto list = PairList::Open(folder / "");
   EXPECT_FALSE(list.ok() && list->Read(9).ok());
-}
-
-TEST(PairListTest, NamesFileAndLine) {
-  const TemporaryFolder folder;
-  WriteFile(folder / "p.txt", "0 1\n# fine\n2\n");
-  auto list = PairList::Open(folder / "p.txt");
-  ASSERT_TRUE(list.ok()) << list.status();
-  const absl::Status status = list->Read(9).status();
-  EXPECT_THAT(std::string(status.message()),
-              HasSubstr(folder / "p.txt" + " line 3: '2' is one place"));
-  EXPECT_FALSE(PairList::Open(folder / "none.txt").ok());
 }
 
 }  // namespace

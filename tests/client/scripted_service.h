@@ -74,11 +74,6 @@ class ScriptedService final : public v1::QuestionService::Service {
                                Writer* writer) override {
     return Play(*request, writer);
   }
-  grpc::Status SampleFarthestPoints(
-      Context*, const v1::SampleFarthestPointsRequest* request,
-      Writer* writer) override {
-    return Play(*request, writer);
-  }
   grpc::Status ComputeLogMap(Context*, const v1::ComputeLogMapRequest* request,
                              Writer* writer) override {
     return Play(*request, writer);

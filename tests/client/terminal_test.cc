@@ -21,21 +21,6 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 using ::testing::HasSubstr;
 
-TEST(ExitCodeTest, FollowsFromTheStatus) {
-  EXPECT_EQ(ExitCodeOf(absl::UnavailableError("")), ExitCode::kNoServer);
-  EXPECT_EQ(ExitCodeOf(absl::InvalidArgumentError("")), ExitCode::kRefused);
-  EXPECT_EQ(ExitCodeOf(absl::NotFoundError("")), ExitCode::kRefused);
-  EXPECT_EQ(ExitCodeOf(absl::InternalError("")), ExitCode::kRefused);
-  EXPECT_EQ(ExitCodeOf(absl::DeadlineExceededError("")), ExitCode::kTimeout);
-  EXPECT_EQ(ExitCodeOf(Interrupted()), ExitCode::kInterrupted);
-  EXPECT_EQ(ExitCodeOf(NoPath("")), ExitCode::kNoPath);
-}
-
-TEST(ExitCodeTest, LocalFilesAreTheirOwnCase) {
-  EXPECT_EQ(ExitCodeOf(FileError(absl::NotFoundError("x"))), ExitCode::kFile);
-  EXPECT_TRUE(FileError(absl::OkStatus()).ok());
-}
-
 // A server, or a proxy, may end a call when it stops.
 TEST(ExitCodeTest, AServersCancellationIsNoInterruption) {
   const absl::Status status = absl::CancelledError("going down");

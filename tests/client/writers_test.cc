@@ -46,15 +46,16 @@ Column DistanceColumn(const std::vector<double>& distances = Distances()) {
   return {.name = kDistanceColumn, .values = distances};
 }
 
-// Nearest sources and gradients too.
+// Nearest sources and gradients too: doubles, integers and floats.
 std::vector<Column> AllColumns() {
   return {DistanceColumn(),
           {.name = kNearestSourceColumn,
            .values = {0, 1, 1, -1},
            .type = NumberType::kInt32},
           {.name = kGradientColumn,
-           .values = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0.5},
-           .components = 3}};
+           .values = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0.1},
+           .components = 3,
+           .type = NumberType::kFloat32}};
 }
 
 MeshArrays Square() {
@@ -128,21 +129,21 @@ TEST(FieldWritersTest, Ply) {
       "property double z\n"
       "property double geodesic_distance\n"
       "property int nearest_source\n"
-      "property double gradient_x\n"
-      "property double gradient_y\n"
-      "property double gradient_z\n"
+      "property float gradient_x\n"
+      "property float gradient_y\n"
+      "property float gradient_z\n"
       "element face 2\n"
       "property list uchar int vertex_indices\n"
       "end_header\n";
   ASSERT_EQ(bytes.substr(0, header.size()), header);
-  constexpr size_t kRow = 4 * 8 + 4 + 3 * 8;
+  constexpr size_t kRow = 4 * 8 + 4 + 3 * 4;
   const size_t vertex = header.size() + 3 * kRow;  // the last one
   const size_t faces = vertex + kRow;
   ASSERT_EQ(bytes.size(), faces + 2 * 13);
   EXPECT_EQ(At<double>(bytes, vertex + 16), 0.1);
   EXPECT_EQ(At<double>(bytes, vertex + 24), kInfinity);
   EXPECT_EQ(At<int32_t>(bytes, vertex + 32), -1);
-  EXPECT_EQ(At<double>(bytes, vertex + 36 + 16), 0.5);
+  EXPECT_EQ(At<float>(bytes, vertex + 36 + 8), 0.1F);
   EXPECT_EQ(bytes[faces + 13], 3);
   EXPECT_EQ(At<int32_t>(bytes, faces + 14), 2);
   EXPECT_EQ(At<int32_t>(bytes, faces + 22), 3);
@@ -174,9 +175,10 @@ TEST(FieldWritersTest, Vtk) {
   const size_t sources = after(
       distances + 32, "\nSCALARS nearest_source int 1\nLOOKUP_TABLE default\n");
   EXPECT_EQ(bytes.substr(sources + 12, 4), std::string(4, '\xff'));
-  const size_t gradients = after(sources + 16, "\nVECTORS gradient double\n");
-  EXPECT_EQ(BigEndianDouble(bytes, gradients + 11 * 8), 0.5);
-  EXPECT_EQ(bytes.size(), gradients + 12 * 8 + 1);
+  const size_t gradients = after(sources + 16, "\nVECTORS gradient float\n");
+  // 0.1F is 0x3dcccccd.
+  EXPECT_EQ(bytes.substr(gradients + 11 * 4, 4), "\x3d\xcc\xcc\xcd");
+  EXPECT_EQ(bytes.size(), gradients + 12 * 4 + 1);
 }
 
 // The JSON object that the page holds.
@@ -249,38 +251,6 @@ TEST(FieldWritersTest, FloatsAreHalfAsLong) {
       "vertex,geodesic_distance\n0,0\n1,0.1\n2,0.33333334\n3,inf\n");
 }
 
-// Coordinates stay doubles, integers ints.
-TEST(FieldWritersTest, PlyAndVtkHoldFloats) {
-  std::vector<Column> columns = AllColumns();
-  columns[0].type = columns[2].type = NumberType::kFloat32;
-  const std::string ply =
-      Written([&](AtomicFile* file) { WritePly(Square(), columns, file); });
-  const std::string properties =
-      "property double z\n"
-      "property float geodesic_distance\n"
-      "property int nearest_source\n"
-      "property float gradient_x\n"
-      "property float gradient_y\n"
-      "property float gradient_z\n";
-  EXPECT_NE(ply.find(properties), std::string::npos);
-  constexpr size_t kRow = 3 * 8 + 4 + 4 + 3 * 4;
-  const size_t vertex = ply.find("end_header\n") + 11 + kRow;  // number 1
-  ASSERT_EQ(ply.size(), vertex + 3 * kRow + 2 * 13);
-  EXPECT_EQ(At<float>(ply, vertex + 24), 0.1F);
-  EXPECT_EQ(At<int32_t>(ply, vertex + 28), 1);
-  EXPECT_EQ(At<float>(ply, vertex + 32), 1.0F);
-
-  const std::string vtk =
-      Written([&](AtomicFile* file) { WriteVtk(Square(), columns, file); });
-  const std::string scalars =
-      "SCALARS geodesic_distance float 1\nLOOKUP_TABLE default\n";
-  const size_t values = vtk.find(scalars) + scalars.size();
-  // 0.1F is 0x3dcccccd.
-  EXPECT_EQ(vtk.substr(values + 4, 4), "\x3d\xcc\xcc\xcd");
-  EXPECT_EQ(vtk.substr(values + 16, 24), "\nSCALARS nearest_source ");
-  EXPECT_NE(vtk.find("\nVECTORS gradient float\n"), std::string::npos);
-}
-
 TEST(FieldWritersTest, CsvOfAllColumns) {
   EXPECT_EQ(Written([](AtomicFile* file) { WriteCsv(AllColumns(), file); }),
             "vertex,geodesic_distance,nearest_source,gradient_x,gradient_y,"
@@ -288,25 +258,27 @@ TEST(FieldWritersTest, CsvOfAllColumns) {
             "0,0,0,0,0,0\n"
             "1,0.1,1,1,0,0\n"
             "2,0.3333333333333333,1,0,1,0\n"
-            "3,inf,-1,0,0,0.5\n");
+            "3,inf,-1,0,0,0.1\n");
 }
 
 using nlohmann::json;
 
 // A path of three points, one that was not found, and a triangle that closes.
 Lines Sample() {
-  Lines lines = {.attributes = {{"source", NumberType::kInt32}, {"length"}}};
+  Lines lines = {.attributes = {{"source", NumberType::kInt32},
+                                {"length", NumberType::kFloat32},
+                                {"level"}}};
   lines.lines.push_back(
       {.polyline = {.points = {VertexPoint{4}, EdgePoint{1, 2, 0.5},
                                FacePoint{3, {0.25, 0.25, 0.5}}},
                     .positions = {{0, 0, 0}, {1, 0, 0}, {1, 2, 0}}},
-       .values = {7, 3}});
-  lines.lines.push_back({.values = {-1, kInfinity}});
+       .values = {7, 0.1, 3}});
+  lines.lines.push_back({.values = {-1, kInfinity, kInfinity}});
   lines.lines.push_back(
       {.polyline = {.points = {VertexPoint{0}, VertexPoint{1}, VertexPoint{2}},
                     .positions = {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}},
        .is_closed = true,
-       .values = {2, 0.5}});
+       .values = {2, 0.5, 1}});
   return lines;
 }
 
@@ -317,42 +289,26 @@ std::string WrittenAs(OutputFormat format, const Lines& lines = Sample()) {
 // Two points in each l statement: some programs keep no more of it.
 TEST(LineWritersTest, Obj) {
   EXPECT_EQ(WrittenAs(OutputFormat::kObj),
-            "# source 7 length 3\n"
+            "# source 7 length 0.1 level 3\n"
             "g line_0\n"
             "v 0 0 0\nv 1 0 0\nv 1 2 0\n"
             "l 1 2\nl 2 3\n"
-            "# source 2 length 0.5\n"
+            "# source 2 length 0.5 level 1\n"
             "g line_2\n"
             "v 0 0 1\nv 1 0 1\nv 0 1 1\n"
             "l 4 5\nl 5 6\nl 6 4\n");
 }
 
-TEST(LineWritersTest, HoldFloats) {
-  Lines lines = Sample();
-  lines.attributes[1].type = NumberType::kFloat32;
-  lines.lines[0].values[1] = 0.1;
-  const std::string ply = WrittenAs(OutputFormat::kPly, lines);
-  EXPECT_NE(ply.find("property float length\nend_header\n"), std::string::npos);
-  // An edge is four ints and the length; the first is the fifth last.
-  EXPECT_EQ(At<float>(ply, ply.size() - 4 * 20 - 4), 0.1F);
-  const std::string vtk = WrittenAs(OutputFormat::kVtk, lines);
-  const std::string scalars = "SCALARS length float 1\nLOOKUP_TABLE default\n";
-  EXPECT_EQ(vtk.substr(vtk.find(scalars) + scalars.size(), 4),
-            "\x3d\xcc\xcc\xcd");
-  EXPECT_EQ(WrittenAs(OutputFormat::kObj, lines).substr(0, 23),
-            "# source 7 length 0.1\ng");
-}
-
 TEST(LineWritersTest, Csv) {
   EXPECT_EQ(WrittenAs(OutputFormat::kCsv),
-            "line,point,x,y,z,place,source,length\n"
-            "0,0,0,0,0,4,7,3\n"
-            "0,1,1,0,0,edge:1-2@0.5,7,3\n"
-            "0,2,1,2,0,\"face:3@0.25,0.25,0.5\",7,3\n"
-            "2,0,0,0,1,0,2,0.5\n"
-            "2,1,1,0,1,1,2,0.5\n"
-            "2,2,0,1,1,2,2,0.5\n"
-            "2,3,0,0,1,0,2,0.5\n");
+            "line,point,x,y,z,place,source,length,level\n"
+            "0,0,0,0,0,4,7,0.1,3\n"
+            "0,1,1,0,0,edge:1-2@0.5,7,0.1,3\n"
+            "0,2,1,2,0,\"face:3@0.25,0.25,0.5\",7,0.1,3\n"
+            "2,0,0,0,1,0,2,0.5,1\n"
+            "2,1,1,0,1,1,2,0.5,1\n"
+            "2,2,0,1,1,2,2,0.5,1\n"
+            "2,3,0,0,1,0,2,0.5,1\n");
 }
 
 TEST(LineWritersTest, Json) {
@@ -382,11 +338,11 @@ TEST(LineWritersTest, PlyHasEdges) {
       "property double x\nproperty double y\nproperty double z\n"
       "element edge 5\n"
       "property int vertex1\nproperty int vertex2\nproperty int line\n"
-      "property int source\nproperty double length\n"
+      "property int source\nproperty float length\nproperty double level\n"
       "end_header\n";
   ASSERT_EQ(bytes.substr(0, header.size()), header);
   const size_t edges = header.size() + 6 * 24;
-  constexpr size_t kRow = 4 * 4 + 8;
+  constexpr size_t kRow = 4 * 4 + 4 + 8;
   ASSERT_EQ(bytes.size(), edges + 5 * kRow);
   const auto edge = [&](size_t number) {
     std::array<int32_t, 4> row;
@@ -397,6 +353,8 @@ TEST(LineWritersTest, PlyHasEdges) {
   EXPECT_EQ(edge(1), (std::array<int32_t, 4>{1, 2, 0, 7}));
   EXPECT_EQ(edge(2), (std::array<int32_t, 4>{3, 4, 2, 2}));
   EXPECT_EQ(edge(4), (std::array<int32_t, 4>{5, 3, 2, 2}));
+  EXPECT_EQ(At<float>(bytes, edges + 16), 0.1F);
+  EXPECT_EQ(At<double>(bytes, edges + 20), 3);
 }
 
 TEST(LineWritersTest, VtkHasLinesAndCellData) {
@@ -412,7 +370,11 @@ TEST(LineWritersTest, VtkHasLinesAndCellData) {
   }
   EXPECT_NE(bytes.find("\nCELL_DATA 2\nSCALARS source double 1\n"),
             std::string::npos);
-  EXPECT_NE(bytes.find("\nSCALARS length double 1\n"), std::string::npos);
+  const std::string lengths =
+      "\nSCALARS length float 1\nLOOKUP_TABLE default\n";
+  EXPECT_EQ(bytes.substr(bytes.find(lengths) + lengths.size(), 4),
+            "\x3d\xcc\xcc\xcd");
+  EXPECT_NE(bytes.find("\nSCALARS level double 1\n"), std::string::npos);
 }
 
 TEST(LineWritersTest, NoLinesAreFine) {
@@ -484,31 +446,24 @@ class MatrixWritersTest : public ::testing::Test {
 };
 
 TEST_F(MatrixWritersTest, NpyIsDense) {
-  Open(OutputFormat::kNpy);
-  Append(0, {0, 1, 2});
-  Append(1, {1, 0, kInfinity});
-  const std::string bytes = Committed();
-  EXPECT_NE(bytes.find("'shape': (2, 3), }"), std::string::npos);
-  EXPECT_THAT(Numbers<double>(Body(bytes)),
-              ElementsAre(0, 1, 2, 1, 0, kInfinity));
-}
-
-TEST_F(MatrixWritersTest, FloatsWhereAskedFor) {
   Open(OutputFormat::kNpy, NumberType::kFloat32);
   Append(0, {0, 0.5, 2});
   Append(1, {1, 0, kInfinity});
   const std::string bytes = Committed();
   EXPECT_NE(bytes.find("'<f4'"), std::string::npos);
-  EXPECT_EQ(Numbers<float>(Body(bytes))[1], 0.5F);
+  EXPECT_NE(bytes.find("'shape': (2, 3), }"), std::string::npos);
+  EXPECT_THAT(Numbers<float>(Body(bytes)),
+              ElementsAre(0, 0.5, 2, 1, 0, kInfinity));
 }
 
 TEST_F(MatrixWritersTest, NpzIsWhatScipyLoads) {
   visible_before_ = 0;
-  Open(OutputFormat::kNpz);
+  Open(OutputFormat::kNpz, NumberType::kFloat32);
   Append(0, {0, 2.5}, {0, 2});
   Append(1, {1}, {1});
   std::map<std::string, std::string> members = Members(Committed());
-  EXPECT_THAT(Numbers<double>(Body(members["data.npy"])),
+  EXPECT_NE(members["data.npy"].find("'<f4'"), std::string::npos);
+  EXPECT_THAT(Numbers<float>(Body(members["data.npy"])),
               ElementsAre(0, 2.5, 1));
   EXPECT_NE(members["data.npy"].find("'shape': (3,)"), std::string::npos);
   EXPECT_THAT(Numbers<int32_t>(Body(members["indices.npy"])),
@@ -528,6 +483,8 @@ TEST_F(MatrixWritersTest, NpzKeepsTheFiniteValuesOfDenseRows) {
   Append(0, {kInfinity, 0, 1});
   Append(1, {kInfinity, kInfinity, kInfinity});
   std::map<std::string, std::string> members = Members(Committed());
+  EXPECT_NE(members["data.npy"].find("'<f8'"), std::string::npos);
+  EXPECT_THAT(Numbers<double>(Body(members["data.npy"])), ElementsAre(0, 1));
   EXPECT_THAT(Numbers<int32_t>(Body(members["indices.npy"])),
               ElementsAre(1, 2));
   EXPECT_THAT(Numbers<int32_t>(Body(members["indptr.npy"])),

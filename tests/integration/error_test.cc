@@ -89,12 +89,6 @@ TEST_F(ErrorTest, OutputsThatCannotBeWrittenFailBeforeAnythingIsSent) {
   EXPECT_EQ(GeodesicJson({"meshes"})["meshes"], json::array());
 }
 
-TEST_F(ErrorTest, FailedFieldLeavesNoFile) {
-  Geodesic(
-      {"field", folder_ / "grid.off", "-s", "25", "-o", folder_ / "d.npy"});
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "d.npy"));
-}
-
 TEST_F(ErrorTest, NoServer) {
   // A port nobody listens on: this test's server has just left it.
   server_.Terminate();

@@ -113,19 +113,6 @@ class OwnServerTest : public ::testing::Test {
   const Variable log_{"GEODESICD_LOG_LEVEL", "info"};
 };
 
-TEST_F(OwnServerTest, OneCommandIsEnough) {
-  const std::string output = folder_ / "d.npy";
-  const ProcessResult field =
-      Run({"field", mesh_, "--source", "0", "-o", output});
-  EXPECT_EQ(field.exit_code, 0) << field.err;
-  EXPECT_TRUE(fs::exists(output));
-  const json first = Status();
-  EXPECT_EQ(Run({"info", mesh_}).exit_code, 0);
-  const json second = Status();
-  EXPECT_EQ(first["pid"], second["pid"]);
-  EXPECT_EQ(second["meshes"], 1);
-}
-
 TEST_F(OwnServerTest, IsItsUsersAloneAndHoldsNothingOfTheCommand) {
   ASSERT_EQ(Run({"meshes"}).exit_code, 0);
   struct stat file = {};
@@ -431,12 +418,6 @@ TEST_F(OwnServerTest, OneOfAnotherVersionIsRefused) {
       RunProgram({GEODESIC_OF_ANOTHER_VERSION, "server", "status"}).exit_code,
       1);
   EXPECT_TRUE(Status()["running"].get<bool>());
-}
-
-TEST_F(OwnServerTest, TlsIsForServersElsewhere) {
-  const ProcessResult result = Run({"--tls", "meshes"});
-  EXPECT_EQ(result.exit_code, 3);
-  EXPECT_THAT(result.err, HasSubstr("name it with --server"));
 }
 
 TEST_F(OwnServerTest, AnotherBuildHasItsOwn) {

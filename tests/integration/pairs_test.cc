@@ -49,18 +49,7 @@ class PairsTest : public PlanarGridTest {
   }
 };
 
-TEST_F(PairsTest, TheLibraryAnswersInOrder) {
-  const PairQuery query = {.mesh_digest = digest_, .pairs = SomePairs(200)};
-  const auto answer = client_.ComputePairs(query);
-  ASSERT_TRUE(answer.ok()) << answer.status();
-  ExpectEuclid(query.pairs, answer->distances);
-  const PairSummary& summary = answer->summary;
-  EXPECT_EQ(summary.searched + summary.from_fields + summary.from_cache, 200);
-  EXPECT_EQ(summary.info.mesh_digest, digest_);
-  EXPECT_EQ(summary.info.vertex_count, vertex_count_);
-}
-
-TEST_F(PairsTest, VerticesGiveTheSame) {
+TEST_F(PairsTest, VerticesAndFloats) {
   PairQuery query = {.mesh_digest = digest_, .value_type = ValueType::kFloat32};
   for (uint32_t i = 0; i < 40; ++i) {
     query.pairs.push_back({VertexPoint{i}, VertexPoint{80 - i}});
@@ -70,9 +59,6 @@ TEST_F(PairsTest, VerticesGiveTheSame) {
   for (size_t i = 0; i < 40; ++i) {
     EXPECT_FLOAT_EQ(answer->distances[i], Euclid(At(i), At(80 - i)));
   }
-  query.pairs[3].target = VertexPoint{uint32_t{1} << 30};
-  EXPECT_EQ(ErrorField(client_.ComputePairs(query).status()),
-            "pairs[3].target.vertex");
 }
 
 TEST_F(PairsTest, AReceiverMayEndIt) {
@@ -115,37 +101,13 @@ TEST_F(PairsTest, ALongListTakesSeveralCalls) {
   ASSERT_TRUE(summary.ok()) << summary.status();
   ExpectEuclid(query.pairs, distances);
   EXPECT_EQ(summary->searched, 100);
+  EXPECT_EQ(summary->info.mesh_digest, digest_);
   // Errors know the number in the whole list.
   query.pairs[52].source = VertexPoint{1000};
   const absl::Status status = client.ComputePairs(query).status();
   EXPECT_EQ(ErrorField(status), "pairs[52].source.vertex");
   EXPECT_THAT(std::string(status.message()),
               StartsWith("pairs[52].source.vertex 1000 is out of range"));
-}
-
-TEST_F(PairsTest, PathsLeadFromSourceToTarget) {
-  PairQuery query = {
-      .mesh_digest = digest_, .pairs = SomePairs(100), .paths = true};
-  query.pairs.push_back({VertexPoint{7}, VertexPoint{7}});
-  const auto answer = client_.ComputePairs(query);
-  ASSERT_TRUE(answer.ok()) << answer.status();
-  ExpectEuclid(query.pairs, answer->distances);
-  EXPECT_EQ(answer->summary.searched, 101);
-  ASSERT_EQ(answer->paths.size(), 101);
-  for (size_t i = 0; i < 101; ++i) {
-    const std::vector<Point>& path = answer->paths[i].positions;
-    ASSERT_FALSE(path.empty()) << i;
-    EXPECT_NEAR(Euclid(path.front(), Where(query.pairs[i].source)), 0,
-                kTolerance);
-    EXPECT_NEAR(Euclid(path.back(), Where(query.pairs[i].target)), 0,
-                kTolerance);
-    double length = 0;
-    for (size_t k = 1; k < path.size(); ++k) {
-      length += Euclid(path[k - 1], path[k]);
-    }
-    EXPECT_NEAR(length, answer->distances[i], kTolerance) << i;
-  }
-  EXPECT_EQ(answer->paths.back().points.size(), 1);
 }
 
 TEST_F(PairsTest, TheCommandWritesPaths) {
@@ -160,6 +122,7 @@ TEST_F(PairsTest, TheCommandWritesPaths) {
   EXPECT_NEAR(second["properties"]["distance"],
               Euclid(At(3), Where(places_[1])), kTolerance);
   EXPECT_EQ(second["properties"]["points"].front()["vertex"], 3);
+  EXPECT_EQ(second["properties"]["points"].back()["edge"], json({0, 10}));
   EXPECT_THAT(FileBytes(folder_ / "d.csv"),
               HasSubstr("\n0,80,1.41421356237309"));
   EXPECT_THAT(FileBytes(folder_ / "p.obj"), HasSubstr("\nl "));

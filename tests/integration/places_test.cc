@@ -14,7 +14,6 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-constexpr int kUsage = 2;
 constexpr int kFile = 3;
 
 // The grid is the unit square.
@@ -33,28 +32,15 @@ TEST_F(PlacesTest, AnswersAreThoseOfThePlacesTheyBecome) {
   EXPECT_NEAR(field["targets"][0]["distance"], 0.7, kTolerance);
 }
 
-// The same with a digest as with the file.
-TEST_F(PlacesTest, EveryQuestionTakesThem) {
+// The same with a digest as with the file; and where the source is one.
+TEST_F(PlacesTest, DigestsAndLogMapsTakeThem) {
   const std::string near = "nearest:0.5,0.5,-1";
   const std::string middle = std::to_string(kMiddle);
-  for (const std::vector<std::string>& question :
-       std::vector<std::vector<std::string>>{{"field"},
-                                             {"path", "-t", "max:y"},
-                                             {"isolines", "-l", "0.3"},
-                                             {"matrix", "-t", "3"},
-                                             {"nearest", "-t", "min:z"},
-                                             {"sample", "-n", "2"}}) {
-    SCOPED_TRACE(question[0]);
-    for (const std::string& mesh : {grid_, digest_}) {
-      std::vector<std::string> words = question;
-      words.insert(words.begin() + 1, {mesh, "-s", near});
-      EXPECT_EQ(GeodesicJson(words)["sources"],
-                json({{{"vertex", kMiddle}, {"offset", 0.0}}}));
-    }
+  for (const char* question : {"field", "logmap"}) {
+    EXPECT_EQ(GeodesicJson({question, digest_, "-s", near})["sources"],
+              GeodesicJson({question, grid_, "-s", middle})["sources"]);
   }
-  EXPECT_EQ(GeodesicJson({"logmap", digest_, "-s", near})["sources"],
-            GeodesicJson({"logmap", digest_, "-s", middle})["sources"]);
-  // Text and files show what was found.
+  // Text shows what was found.
   EXPECT_THAT(Geodesic({"matrix", grid_, "-s", near, "-t", "min:y"}).out,
               HasSubstr("\n" + middle + ",0,0.707106781186547"));
 }
@@ -103,23 +89,6 @@ TEST_F(PlacesTest, InfoSaysWhereToBegin) {
   EXPECT_EQ(GeodesicJson(
                 {"field", path, "--source", "max:y"})["sources"][0]["vertex"],
             72);
-}
-
-TEST_F(PlacesTest, WrongOnesAreNamed) {
-  for (const auto& [text, says] :
-       std::vector<std::pair<std::string, std::string>>{
-           {"nearest:1,2", "nearest needs three coordinates"},
-           {"nearest:1,2,nan", "the coordinate 'nan' is not a finite number"},
-           {"nearest:1,2,3,4", "the coordinate '3,4' is not a finite number"},
-           {"nearest:a,2,3", "the coordinate 'a' is not a finite number"},
-           {"min:w", "'w' is not an axis: x, y or z"},
-           {"max:", "'' is not an axis: x, y or z"}}) {
-    EXPECT_THAT(Refusal({"field", grid_, "-s", text}, kUsage),
-                testing::AllOf(HasSubstr(text), HasSubstr(says),
-                               HasSubstr("nearest:X,Y,Z")));
-    EXPECT_THAT(Refusal({"distance", grid_, "0", text}, kUsage),
-                HasSubstr(says));
-  }
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 #include "tests/integration/planar_grid_test.h"
 
 #include <sstream>
-#include <utility>
+
+#include "tests/support/surface_points.h"
 
 namespace geodesic::client {
 
@@ -26,29 +27,10 @@ void PlanarGridTest::SetUp() {
 }
 
 Point PlanarGridTest::Where(const SurfacePoint& point) const {
-  std::vector<std::pair<double, uint64_t>> corners;
-  if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
-    corners = {{1, vertex->vertex}};
-  } else if (const auto* edge = std::get_if<EdgePoint>(&point)) {
-    corners = {{1 - edge->t, edge->from}, {edge->t, edge->to}};
-  } else {
-    const auto& face = std::get<FacePoint>(point);
-    for (int i = 0; i < 3; ++i) {
-      corners.emplace_back(face.weights[i], mesh_.triangles[face.face][i]);
-    }
-  }
-  Point sum = {};
-  for (const auto& [weight, vertex] : corners) {
-    for (int axis = 0; axis < 3; ++axis) sum[axis] += weight * At(vertex)[axis];
-  }
-  return sum;
-}
-
-std::string PlanarGridTest::Refusal(const std::vector<std::string>& words,
-                                    int exit_code) const {
-  const ProcessResult result = Geodesic(words);
-  EXPECT_EQ(result.exit_code, exit_code) << result.out << result.err;
-  return result.err;
+  const test::Vec3 at = test::PositionIn(
+      {.positions = mesh_.positions, .triangles = mesh_.triangles}, point);
+  return {static_cast<double>(at.x), static_cast<double>(at.y),
+          static_cast<double>(at.z)};
 }
 
 }  // namespace geodesic::client

@@ -37,10 +37,6 @@ class PlanarGridTest : public IntegrationTest {
   // Where a point lies, from its definition.
   Point Where(const SurfacePoint& point) const;
 
-  // What the command says when it ends with this code.
-  std::string Refusal(const std::vector<std::string>& words,
-                      int exit_code) const;
-
   MeshArrays mesh_ = PlanarGrid(kGrid);
   std::string digest_ = MeshDigest(mesh_);
   // The mesh as a file; it is resident too.

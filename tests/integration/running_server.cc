@@ -90,4 +90,11 @@ nlohmann::json IntegrationTest::GeodesicJson(
   return json;
 }
 
+std::string IntegrationTest::Refusal(const std::vector<std::string>& arguments,
+                                     int exit_code) const {
+  const ProcessResult result = Geodesic(arguments);
+  EXPECT_EQ(result.exit_code, exit_code) << result.out << result.err;
+  return result.err;
+}
+
 }  // namespace geodesic::client

@@ -56,6 +56,10 @@ class IntegrationTest : public ::testing::Test {
   nlohmann::json GeodesicJson(const std::vector<std::string>& arguments,
                               int expected_exit_code = 0) const;
 
+  // What it says when it ends with this code.
+  std::string Refusal(const std::vector<std::string>& arguments,
+                      int exit_code = 2) const;
+
   // Its command line, to start it otherwise.
   std::vector<std::string> CommandLine(
       const std::vector<std::string>& arguments) const;

@@ -17,8 +17,6 @@ namespace {
 using nlohmann::json;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::Not;
 
 // A cube of side 2 whose sides share no vertex, 0 to 3 at the bottom, 4 to 7
 // at the top.
@@ -65,19 +63,6 @@ TEST_F(SeamsTest, AreJoinedAndTold) {
   EXPECT_EQ(mesh->joined.size(), 16);
 }
 
-TEST_F(SeamsTest, EachVertexSettlesOnceInAStreamedField) {
-  const auto upload = client_.UploadFile(box_);
-  ASSERT_TRUE(upload.ok()) << upload.status();
-  std::vector<int> times(24);
-  const auto field = client_.StreamField(
-      {.mesh_digest = upload->mesh.digest, .sources = {{VertexPoint{21}}}},
-      [&](std::span<const SettledVertex> settled) {
-        for (const SettledVertex& v : settled) ++times[v.vertex];
-      });
-  ASSERT_TRUE(field.ok()) << field.status();
-  EXPECT_THAT(times, ::testing::Each(1));
-}
-
 TEST_F(SeamsTest, WeldingIsPartOfTheQuestionAndOfTheMesh) {
   const auto usual = client_.UploadFile(box_);
   const auto apart =
@@ -115,54 +100,6 @@ TEST_F(SeamsTest, TheCommandTellsOfThem) {
       Geodesic({"--json", "distance", box_, "4", "0", "--no-weld"}).out);
   EXPECT_TRUE(apart["distance"].is_null());
   EXPECT_EQ(Geodesic({"info", box_, "--weld", "1", "--no-weld"}).exit_code, 2);
-}
-
-TEST_F(SeamsTest, PathsLeadAcrossThem) {
-  const json path = json::parse(
-      Geodesic({"--json", "path", box_, "-s", "0", "-t", "19"}).out);
-  EXPECT_NEAR(path["paths"][0]["length"], 2 * std::sqrt(5.0), 1e-14);
-}
-
-TEST_F(SeamsTest, PolygonsThatCrossThemselvesAreTold) {
-  WriteFile(folder_ / "bow.obj",
-            "v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 4\n");
-  EXPECT_THAT(Geodesic({"info", folder_ / "bow.obj"}).out,
-              HasSubstr("the first is face 0 of the file"));
-}
-
-// An L of area 3: round the notch it is 1 + sqrt 2 from its end 0 to the
-// notch's other side 3, whichever corner the face begins with.
-TEST_F(SeamsTest, ConcavePolygonsAreCutInside) {
-  const std::string vertices =
-      "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\n";
-  for (int first = 0; first < 6; ++first) {
-    std::string face = "f";
-    for (int i = 0; i < 6; ++i) {
-      face += ' ';
-      face += std::to_string((first + i) % 6 + 1);
-    }
-    const std::string file = folder_ / ("l" + std::to_string(first) + ".obj");
-    WriteFile(file, vertices + face + "\n");
-    const json answer =
-        json::parse(Geodesic({"--json", "distance", file, "2", "4"}).out);
-    EXPECT_NEAR(answer["distance"], 2, 1e-15) << first;
-    EXPECT_THAT(answer["notes"], IsEmpty());
-  }
-}
-
-TEST_F(SeamsTest, FacesThatNameAVertexTwiceAreLeftOutAndTold) {
-  WriteFile(folder_ / "twice.off",
-            "OFF\n4 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
-            "3 0 1 2\n3 2 2 3\n3 0 2 3\n");
-  const std::string file = folder_ / "twice.off";
-  const json answer = json::parse(
-      Geodesic({"--json", "distance", file, "1", "face:2@0,0,1"}).out);
-  EXPECT_NEAR(answer["distance"], std::sqrt(2.0), 1e-15);
-  EXPECT_THAT(
-      answer["notes"],
-      ElementsAre("left out 1 triangle, where a vertex is named twice"));
-  EXPECT_THAT(Geodesic({"distance", file, "0", "face:1@1,0,0"}).err,
-              HasSubstr("names a vertex twice"));
 }
 
 }  // namespace

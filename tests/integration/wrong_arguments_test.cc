@@ -12,7 +12,6 @@
 namespace geodesic::client {
 namespace {
 
-using nlohmann::json;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
@@ -50,7 +49,6 @@ struct WrongText {
 
 constexpr int kUsage = 2;
 constexpr int kFile = 3;
-constexpr int kNoPath = 4;
 constexpr int kRefused = 5;
 
 class WrongArgumentsTest : public PlanarGridTest {
@@ -78,7 +76,14 @@ class WrongArgumentsTest : public PlanarGridTest {
       {"edge:0-1", "an edge needs A-B and @T", "edge:A-B@T", kUsage},
       {"here", "'here' is not a vertex's number", "VERTEX", kUsage},
       {"-1", "'-1' is not a vertex's number", "numbers from 0", kUsage},
-      {"", "''", "VERTEX", kUsage}};
+      {"", "''", "VERTEX", kUsage},
+      {"nearest:1,2", "nearest needs three coordinates", "nearest:X,Y,Z",
+       kUsage},
+      {"nearest:a,2,nan", "the coordinate 'a' is not a finite number",
+       "nearest:X,Y,Z", kUsage},
+      {"nearest:1,2,3,4", "the coordinate '3,4' is not a finite number",
+       "nearest:X,Y,Z", kUsage},
+      {"min:w", "'w' is not an axis: x, y or z", "nearest:X,Y,Z", kUsage}};
 
   // The words of a question about the grid.
   Words Ask(const Question& question, Words more = {}) const {
@@ -95,79 +100,87 @@ class WrongArgumentsTest : public PlanarGridTest {
   }
 };
 
-TEST_F(WrongArgumentsTest, Sources) {
-  for (const Question& question : Questions()) {
-    for (const WrongText& wrong : wrong_points_) {
-      ExpectNamed(Ask(question, {"-s", wrong.text}), wrong);
-    }
+TEST_F(WrongArgumentsTest, EveryText) {
+  for (const WrongText& wrong : wrong_points_) {
+    ExpectNamed({"field", grid_, "-s", wrong.text}, wrong);
   }
+  for (const std::string offset : {"nan", "-1", "inf", "x", ""}) {
+    ExpectNamed({"field", grid_, "-s", "0:" + offset},
+                {"", "the offset '" + offset + "' is not a number >= 0",
+                 ":OFFSET >= 0", kUsage});
+  }
+  for (const std::string radius : {"nan", "-1", "far"}) {
+    ExpectNamed(
+        {"field", grid_, "-s", "0", "--radius=" + radius},
+        {"", "'" + radius + "' is not a radius", "a number >= 0", kUsage});
+  }
+  const std::vector<std::pair<std::string, WrongText>> curves = {
+      {"0;80",
+       {"", "sources[0].curve.points[0] and [1] lie in no common face",
+        "add the points where the curve crosses edges", kRefused}},
+      {"0;1;", {"", "'0;1;' is not a curve", "POINT;POINT;...", kUsage}},
+      {"0;1:-2", {"", "the offset '-2'", ":OFFSET", kUsage}}};
+  for (const auto& [curve, wrong] : curves) {
+    ExpectNamed({"field", grid_, "--curve", curve}, wrong);
+  }
+  ExpectNamed({"distance", grid_, "0", "nearest:1,2,nan"},
+              {"", "the coordinate 'nan'", "nearest:X,Y,Z", kUsage});
+  ExpectNamed({"logmap", grid_, "-s", "0:0.5"},
+              {"", "'0:0.5' is not a point", "VERTEX", kUsage});
 }
 
-TEST_F(WrongArgumentsTest, Targets) {
+// The texts are read alike, so one of each kind tells what a question does with
+// them.
+TEST_F(WrongArgumentsTest, EveryQuestion) {
+  WriteFile(folder_ / "empty.txt", "# nobody\n");
+  const WrongText lists_nothing = {"", "empty.txt lists nothing",
+                                   "one place a line", kFile};
   for (const Question& question : Questions()) {
-    for (const WrongText& wrong : wrong_points_) {
-      if (!question.has_targets) continue;
-      // What no mesh has is refused by the same code for all.
-      if (wrong.exit_code == kUsage && question.name != "path") continue;
-      ExpectNamed(Ask(question, {"-s", "0", "-t", wrong.text}), wrong);
+    ExpectNamed({question.name}, {"", "MESH is required", "--help", kUsage});
+    ExpectNamed(Ask(question, {"-s", "here"}),
+                {"", "'here' is not a vertex's number", "VERTEX", kUsage});
+    ExpectNamed(Ask(question, {"-s", "edge:0-80@0"}),
+                {"", "no edge between vertices 0 and 80",
+                 "name two corners of one face", kRefused});
+    ExpectNamed(Ask(question, {"-s", "0", "-a", "dijkstra"}),
+                {"", "dijkstra", "fwp-mmp", kUsage});
+    ExpectNamed(
+        Ask(question, {"-s", "0", "-o", "answer.xyz"}),
+        {"", "answer.xyz", "the endings this command knows are .", kUsage});
+    ExpectNamed(
+        Ask(question, {"-s", "0", "--radius=far"}),
+        question.has_radius
+            ? WrongText{"", "'far' is not a radius", "a number >= 0", kUsage}
+            : WrongText{"", "not expected here: --radius=far",
+                        "geodesic " + question.name + " --help", kUsage});
+    if (question.name != "sample") {
+      ExpectNamed(Ask(question), {"", "--source", "is required", kUsage});
     }
-  }
-}
-
-TEST_F(WrongArgumentsTest, TheOneAtFaultIsNumbered) {
-  for (const Question& question : Questions()) {
-    if (question.name != "logmap") {
+    if (question.has_curves) {
       ExpectNamed(
           Ask(question, {"-s", "0", "-s", "99"}),
           {"", "sources[1].vertex 99", "[field sources[1].vertex]", kRefused});
-      ExpectNamed(Ask(question, {"-s", "0", "-s", "edge:0-80@0"}),
-                  {"", "sources[1].edge", "[field sources[1].edge]", kRefused});
+      ExpectNamed(Ask(question, {"--curve", "0;80"}),
+                  {"", "sources[0].curve.points[0] and [1]", "crosses edges",
+                   kRefused});
+      ExpectNamed(Ask(question, {"--sources", folder_ / "empty.txt"}),
+                  lists_nothing);
     }
-    if (!question.has_targets || !question.words.empty()) continue;
-    ExpectNamed(Ask(question, {"-s", "0", "-t", "1", "-t", "99"}),
+    if (!question.has_targets) continue;
+    ExpectNamed(Ask(question, {"-s", "0", "-t", "here"}),
+                {"", "'here' is not a vertex's number", "VERTEX", kUsage});
+    // Behind the target of its own, if it has one.
+    ExpectNamed(Ask(question, {"-s", "0", "-t", "face:128@1,0,0"}),
+                {"", "face 128 is out of range", "128 faces, numbered from 0",
+                 kRefused});
+    ExpectNamed({question.name, grid_, "-s", "0", "-t", "1", "-t", "99"},
                 {"", "targets[1].vertex 99", "targets[1]", kRefused});
-  }
-}
-
-TEST_F(WrongArgumentsTest, Offsets) {
-  for (const Question& question : Questions()) {
-    if (question.name == "logmap") {
-      ExpectNamed(Ask(question, {"-s", "0:0.5"}),
-                  {"", "'0:0.5' is not a point", "VERTEX", kUsage});
-      continue;
-    }
-    for (const std::string offset : {"nan", "-1", "inf", "x", ""}) {
-      ExpectNamed(Ask(question, {"-s", "0:" + offset}),
-                  {"", "the offset '" + offset + "' is not a number >= 0",
-                   ":OFFSET >= 0", kUsage});
-    }
-  }
-}
-
-TEST_F(WrongArgumentsTest, Curves) {
-  for (const Question& question : Questions()) {
-    if (!question.has_curves) continue;
-    ExpectNamed(Ask(question, {"--curve", "0;80"}),
-                {"", "sources[0].curve.points[0] and [1] lie in no common face",
-                 "add the points where the curve crosses edges", kRefused});
-    ExpectNamed(Ask(question, {"--curve", "0;1;"}),
-                {"", "'0;1;' is not a curve", "POINT;POINT;...", kUsage});
-    ExpectNamed(Ask(question, {"--curve", "0;1:-2"}),
-                {"", "the offset '-2'", ":OFFSET", kUsage});
-  }
-}
-
-TEST_F(WrongArgumentsTest, Radii) {
-  for (const Question& question : Questions()) {
-    for (const std::string radius : {"nan", "-1", "far"}) {
-      ExpectNamed(
-          Ask(question, {"-s", "0", "--radius=" + radius}),
-          question.has_radius
-              ? WrongText{"", "'" + radius + "' is not a radius",
-                          "a number >= 0", kUsage}
-              : WrongText{"", "not expected here: --radius=" + radius,
-                          "geodesic " + question.name + " --help", kUsage});
-    }
+    ExpectNamed(
+        {question.name, grid_, "-s", "0", "--targets", folder_ / "empty.txt"},
+        lists_nothing);
+    if (question.words.empty()) continue;
+    ExpectNamed({question.name, grid_, "-s", "0"},
+                {"", "--target (or --targets FILE)", "required", kUsage});
   }
 }
 
@@ -197,85 +210,6 @@ TEST_F(WrongArgumentsTest, CountsAndLevels) {
        {"", "--source", "a log map has one source", kUsage}},
   };
   for (const auto& [words, wrong] : table) ExpectNamed(words, wrong);
-}
-
-TEST_F(WrongArgumentsTest, Nothing) {
-  WriteFile(folder_ / "empty.txt", "# nobody\n");
-  for (const Question& question : Questions()) {
-    ExpectNamed({question.name}, {"", "MESH is required", "--help", kUsage});
-    if (question.name != "sample") {
-      ExpectNamed(Ask(question), {"", "--source", "is required", kUsage});
-    }
-    if (question.has_curves) {
-      ExpectNamed(Ask(question, {"--sources", folder_ / "empty.txt"}),
-                  {"", "empty.txt lists nothing", "one place a line", kFile});
-    }
-    if (!question.has_targets) continue;
-    // Without the target of its own.
-    ExpectNamed(
-        {question.name, grid_, "-s", "0", "--targets", folder_ / "empty.txt"},
-        {"", "empty.txt lists nothing", "one place a line", kFile});
-    if (question.words.empty()) continue;
-    ExpectNamed({question.name, grid_, "-s", "0"},
-                {"", "--target (or --targets FILE)", "required", kUsage});
-  }
-}
-
-TEST_F(WrongArgumentsTest, Outputs) {
-  for (const Question& question : Questions()) {
-    ExpectNamed(
-        Ask(question, {"-s", "0", "-o", "answer.xyz"}),
-        {"", "answer.xyz", "the endings this command knows are .", kUsage});
-    const std::string ending = question.name == "path" ? ".obj" : ".csv";
-    ExpectNamed(
-        Ask(question, {"-s", "0", "-o", folder_ / ("none/answer" + ending)}),
-        {"", "none/answer" + ending, "which must exist", kFile});
-    std::filesystem::create_directory(folder_ / ("folder" + ending));
-    ExpectNamed(Ask(question, {"-s", "0", "-o", folder_ / ("folder" + ending)}),
-                {"", "folder" + ending, "it is a folder", kFile});
-  }
-}
-
-TEST_F(WrongArgumentsTest, AlgorithmsAndMeshes) {
-  for (const Question& question : Questions()) {
-    ExpectNamed(Ask(question, {"-s", "0", "-a", "dijkstra"}),
-                {"", "dijkstra", "fwp-mmp", kUsage});
-    Words words = Ask(question, {"-s", "0"});
-    words[1] = folder_ / "missing.off";
-    ExpectNamed(words,
-                {"", "missing.off", "neither a file nor a digest", kFile});
-    words[1] = std::string(64, 'a');
-    ExpectNamed(words, {"", std::string(64, 'a'), "geodesic upload", kRefused});
-  }
-}
-
-// What looks wrong and is not: all else is at infinity.
-TEST_F(WrongArgumentsTest, SourceOnAnIsolatedVertex) {
-  MeshArrays alone = mesh_;
-  alone.positions.push_back({9, 9, 9});
-  const std::string path = folder_ / "alone.off";
-  WriteFile(path, OffText(alone));
-  const json field = GeodesicJson({"field", path, "-s", "81:0.5"});
-  EXPECT_EQ(field["unreachable_vertices"], 81);
-  EXPECT_EQ(field["farthest_vertex"], 81);
-  EXPECT_EQ(field["largest_distance"], 0.5);
-  const json paths =
-      GeodesicJson({"path", path, "-s", "81", "-t", "0"}, kNoPath)["paths"];
-  EXPECT_TRUE(paths[0]["distance"].is_null());
-  EXPECT_EQ(GeodesicJson({"isolines", path, "-s", "81", "-l",
-                          "1"})["levels"][0]["lines"],
-            0);
-  EXPECT_EQ(GeodesicJson({"matrix", path, "-s", "81"})["finite_values"], 1);
-  EXPECT_EQ(GeodesicJson({"nearest", path, "-s", "81", "-t",
-                          "0"})["found"][0]["nearest"],
-            json::array());
-  EXPECT_TRUE(GeodesicJson({"sample", path, "-s", "81", "-n",
-                            "1"})["samples"][0]["distance"]
-                  .is_null());
-  // No direction leads away from it.
-  EXPECT_THAT(Refusal({"logmap", path, "-s", "81"}, kRefused),
-              AllOf(HasSubstr("source vertex 81 belongs to no face"),
-                    HasSubstr("name a point of a face")));
 }
 
 }  // namespace

@@ -201,11 +201,6 @@ class SecureClientTest(unittest.TestCase):
             metric = 'geodesic_errors_total{reason="%s"}' % reason
             self.assertEqual(self.gained(before, metric), 1)
 
-    def test_clear_text_gets_nowhere(self):
-        with grpc.insecure_channel(self.server.address) as channel:
-            self.assertEqual(self.refusal(channel).code(),
-                             grpc.StatusCode.UNAVAILABLE)
-
     def test_too_much_metadata_is_refused(self):
         channel = self.connect()
         with self.assertRaises(grpc.RpcError) as caught:

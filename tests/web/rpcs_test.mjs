@@ -92,59 +92,36 @@ test("ComputeField, approximately", async () => {
   assert.ok(header.approximation);
 });
 
-test("ComputeLogMap keeps distances", async () => {
-  const { coordinates } = await read(clients.QuestionService.computeLogMap(
-    { meshDigest: digest, source: vertex(60) }));
-  assertClose(grid.positions.map((_, i) => Math.hypot(coordinates[2 * i], coordinates[2 * i + 1])), euclid(60));
-});
+const rows = [0, 7, 60];
+const lengths = (points, size) => Array.from({ length: points.length / size }, (_, i) =>
+  Math.hypot(...points.slice(size * i, size * (i + 1))));
 
-test("SampleFarthestPoints begins with the far corner", async () => {
-  const samples = await read(clients.QuestionService.sampleFarthestPoints(
-    { meshDigest: digest, sources: [from(0)], count: 3n }));
-  assert.equal(samples.vertex.length, 3);
-  assert.equal(samples.vertex[0], last);
-  assertClose([samples.distance[0]], [Math.SQRT2]);
-});
-
-test("ComputePaths", async () => {
-  const { length } = await read(clients.QuestionService.computePaths(
-    { meshDigest: digest, sources: [from(0)], targets: [vertex(last)] }));
-  assertClose(length, [Math.SQRT2]);
-});
-
-test("ComputeIsolines are circles", async () => {
-  const { position, line_end } = await read(clients.QuestionService.computeIsolines(
-    { meshDigest: digest, sources: [from(0)], levels: [0.5] }));
-  assert.ok(line_end.length > 0);
-  for (let i = 0; i < position.length; i += 3) {
-    assertClose([Math.hypot(position[i], position[i + 1])], [0.5]);
-  }
-});
-
-test("ComputeMatrix and FindNearest", async () => {
-  const rows = [0, 7, 60];
-  const matrix = await read(clients.QuestionService.computeMatrix(
-    { meshDigest: digest, sources: rows.map(from) }));
-  assertClose(matrix.distance, rows.flatMap(euclid));
-  const nearest = await read(clients.QuestionService.findNearest({
-    meshDigest: digest, sources: [from(0)], targets: [vertex(last), vertex(1)], count: 1n,
-  }));
-  assert.deepEqual(nearest.target, [1]);
-});
-
-test("ComputePairs", async () => {
-  const { distance } = await read(clients.QuestionService.computePairs(
-    { meshDigest: digest, vertexPairs: [0, last, 1, 0] }));
-  assertClose(distance, [Math.SQRT2, 0.1]);
-});
-
-test("TraceLines ends where the grid does", async () => {
-  const { length, end, position } = await read(clients.QuestionService.traceLines(
-    { meshDigest: digest, vertexSources: [0], vectors: [2, 1, 0], lengths: [Infinity] }));
-  assert.deepEqual(end, [1]);
-  assertClose(length, [Math.sqrt(1.25)]);
-  assertClose(position.slice(-3), [1, 0.5, 0]);
-});
+// The other questions: what is asked, and numbers of the answer.
+for (const [name, request, part, expected] of [
+  ["computeLogMap", { source: vertex(60) },
+    ({ coordinates }) => lengths(coordinates, 2), euclid(60)],
+  ["sampleFarthestPoints", { sources: [from(0)], count: 3n },
+    (found) => [found.vertex.length, found.vertex[0], found.distance[0]],
+    [3, last, Math.SQRT2]],
+  ["computePaths", { sources: [from(0)], targets: [vertex(last)] },
+    ({ length }) => length, [Math.SQRT2]],
+  ["computeIsolines", { sources: [from(0)], levels: [0.5] },
+    ({ position }) => [Math.min(...lengths(position, 3)), Math.max(...lengths(position, 3))],
+    [0.5, 0.5]],
+  ["computeMatrix", { sources: rows.map(from) },
+    ({ distance }) => distance, rows.flatMap(euclid)],
+  ["findNearest", { sources: [from(0)], targets: [vertex(last), vertex(1)], count: 1n },
+    ({ target }) => target, [1]],
+  ["computePairs", { vertexPairs: [0, last, 1, 0] },
+    ({ distance }) => distance, [Math.SQRT2, 0.1]],
+  // To where the grid ends.
+  ["traceLines", { vertexSources: [0], vectors: [2, 1, 0], lengths: [Infinity] },
+    ({ end, length, position }) => [...end, ...length, ...position.slice(-3)],
+    [1, Math.sqrt(1.25), 1, 0.5, 0]],
+]) {
+  test(name, async () => assertClose(part(await read(
+    clients.QuestionService[name]({ meshDigest: digest, ...request }))), expected));
+}
 
 test("DeleteMesh", async () => {
   const other = asArrays(planarGrid(3));
