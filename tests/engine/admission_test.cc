@@ -65,9 +65,7 @@ class AdmissionTest : public test::EngineTest {
   }
 
   void SetUp() override {
-    const auto uploaded = Upload(geodesic::test::Icosphere(2));
-    ASSERT_TRUE(uploaded.ok()) << uploaded.status();
-    digest_ = uploaded->mesh.digest;
+    digest_ = Upload(geodesic::test::Icosphere(2)).value().mesh.digest;
     start_ = [this](const Mesh& mesh, const ValidQuery& query,
                     const SolveOptions&) {
       return std::make_unique<SolvingComputation>(mesh, query, solve_);

@@ -33,24 +33,22 @@ using ::testing::SizeIs;
 
 TEST_F(DurableEngineTest, EverythingIsThereAfterARestart) {
   const TriangleSoup soup = geodesic::test::Icosphere(2);
-  const auto before = Upload(soup);
-  ASSERT_TRUE(before.ok());
-  EXPECT_FALSE(before->already_resident);
-  EXPECT_GT(before->mesh.resident_bytes, 0);
-  EXPECT_EQ(before->mesh.stored_bytes, fs::file_size(FileOf(DigestOf(soup))));
+  const auto before = Upload(soup).value();
+  EXPECT_FALSE(before.already_resident);
+  EXPECT_GT(before.mesh.resident_bytes, 0);
+  EXPECT_EQ(before.mesh.stored_bytes, fs::file_size(FileOf(DigestOf(soup))));
   ASSERT_TRUE(Upload(test::TetrahedronOffHeader(), test::kTetrahedronOff).ok());
   const std::vector<std::string> listed = Listed();
   Restart();
 
   EXPECT_THAT(listed, SizeIs(2));
   EXPECT_EQ(Listed(), listed);
-  const std::string digest = before->mesh.digest;
-  const auto described = engine_->meshes().Describe(digest);
-  ASSERT_TRUE(described.ok());
-  EXPECT_EQ(described->resident_bytes, 0);
-  EXPECT_EQ(described->stored_bytes, before->mesh.stored_bytes);
-  const MeshSummary& was = before->mesh.summary;
-  const MeshSummary& is = described->summary;
+  const std::string digest = before.mesh.digest;
+  const auto described = engine_->meshes().Describe(digest).value();
+  EXPECT_EQ(described.resident_bytes, 0);
+  EXPECT_EQ(described.stored_bytes, before.mesh.stored_bytes);
+  const MeshSummary& was = before.mesh.summary;
+  const MeshSummary& is = described.summary;
   EXPECT_EQ(is.vertices, was.vertices);
   EXPECT_EQ(is.faces, was.faces);
   EXPECT_EQ(is.edges, was.edges);
@@ -63,11 +61,10 @@ TEST_F(DurableEngineTest, EverythingIsThereAfterARestart) {
   EXPECT_EQ(is.mean_edge_length, was.mean_edge_length);
   EXPECT_EQ(is.anisotropy, was.anisotropy);
 
-  const auto mesh = Await(digest);
-  ASSERT_TRUE(mesh.ok()) << mesh.status();
-  EXPECT_TRUE(std::ranges::equal((*mesh)->mesh->positions(), soup.positions));
+  const auto mesh = Await(digest).value();
+  EXPECT_TRUE(std::ranges::equal(mesh->mesh->positions(), soup.positions));
   for (uint32_t face = 0; face < soup.triangles.size(); ++face) {
-    ASSERT_EQ((*mesh)->mesh->triangle(face), soup.triangles[face]);
+    ASSERT_EQ(mesh->mesh->triangle(face), soup.triangles[face]);
   }
   EXPECT_GT(engine_->meshes().Describe(digest)->resident_bytes, 0);
   EXPECT_EQ(engine_->counters().meshes_loaded, 1);
@@ -80,11 +77,11 @@ TEST_F(DurableEngineTest, NothingKnownIsAskedForAgain) {
   ASSERT_TRUE(Upload(test::TetrahedronOffHeader(), test::kTetrahedronOff).ok());
   Restart();
   const FileKey file = {MeshFormat::kOff, Sha256Hex(test::kTetrahedronOff)};
-  const auto missing = engine_->meshes().FindMissing({DigestOf(soup)}, {file});
-  ASSERT_TRUE(missing.ok());
-  EXPECT_THAT(missing->mesh_digests, IsEmpty());
-  ASSERT_THAT(missing->known_files, SizeIs(1));
-  EXPECT_EQ(missing->known_files[0].mesh_digest, DigestOf(test::Tetrahedron()));
+  const auto missing =
+      engine_->meshes().FindMissing({DigestOf(soup)}, {file}).value();
+  EXPECT_THAT(missing.mesh_digests, IsEmpty());
+  ASSERT_THAT(missing.known_files, SizeIs(1));
+  EXPECT_EQ(missing.known_files[0].mesh_digest, DigestOf(test::Tetrahedron()));
 
   // Nor is it built when it comes again, as arrays or as a file.
   for (const auto& again : {Upload(soup), Upload(test::TetrahedronOffHeader(),
@@ -194,36 +191,23 @@ TEST_F(DurableEngineTest, FieldsAreThereAfterARestart) {
   const std::string digest = Upload(geodesic::test::Icosphere(2))->mesh.digest;
   const FieldRequest request = {.mesh_digest = digest,
                                 .extras = {.gradients = true}};
-  const auto before = Field(request);
-  ASSERT_TRUE(before.ok());
-  EXPECT_EQ(before->origin, FieldOrigin::kComputed);
+  const auto before = Field(request).value();
+  EXPECT_EQ(before.origin, FieldOrigin::kComputed);
   Restart();
   ASSERT_TRUE(Await(digest).ok());
-  const auto after = Field(request);
-  ASSERT_TRUE(after.ok()) << after.status();
-  EXPECT_EQ(after->origin, FieldOrigin::kCached);
-  EXPECT_EQ(after->field->distances, before->field->distances);
-  EXPECT_EQ(after->derived->gradients, before->derived->gradients);
-  EXPECT_EQ(after->field->settled_radius, before->field->settled_radius);
-  EXPECT_EQ(after->field->algorithm, before->field->algorithm);
-  EXPECT_EQ(after->field->statistics.windows_created,
-            before->field->statistics.windows_created);
+  const auto after = Field(request).value();
+  EXPECT_EQ(after.origin, FieldOrigin::kCached);
+  EXPECT_EQ(after.field->distances, before.field->distances);
+  EXPECT_EQ(after.derived->gradients, before.derived->gradients);
+  EXPECT_EQ(after.field->settled_radius, before.field->settled_radius);
+  EXPECT_EQ(after.field->algorithm, before.field->algorithm);
+  EXPECT_EQ(after.field->statistics.windows_created,
+            before.field->statistics.windows_created);
   EXPECT_EQ(engine_->counters().solves_started, 0);
   EXPECT_EQ(engine_->counters().fields_loaded, 1);
   // From memory, the second time.
   EXPECT_EQ(Field(request)->origin, FieldOrigin::kCached);
   EXPECT_EQ(engine_->counters().fields_loaded, 1);
-}
-
-TEST_F(DurableEngineTest, FieldsGoWithTheirMesh) {
-  const TriangleSoup soup = Grid(5);
-  const std::string digest = Upload(soup)->mesh.digest;
-  ASSERT_TRUE(Field({.mesh_digest = digest}).ok());
-  ASSERT_FALSE(fs::is_empty(data_dir() + "/fields"));
-  ASSERT_TRUE(Delete(digest).ok());
-  EXPECT_TRUE(fs::is_empty(data_dir() + "/fields"));
-  ASSERT_TRUE(Upload(soup).ok());
-  EXPECT_EQ(Field({.mesh_digest = digest})->origin, FieldOrigin::kComputed);
 }
 
 // A mesh that is deleted while one of its fields is on its way.
@@ -320,10 +304,9 @@ TEST_F(DurableEngineTest, ADamagedFieldIsComputedAgain) {
   geodesic::test::WriteFile(file.string(), bytes);
   Restart();
   ASSERT_TRUE(Await(digest).ok());
-  const auto after = Field({.mesh_digest = digest});
-  ASSERT_TRUE(after.ok()) << after.status();
-  EXPECT_EQ(after->origin, FieldOrigin::kComputed);
-  EXPECT_EQ(after->field->distances, before->field->distances);
+  const auto after = Field({.mesh_digest = digest}).value();
+  EXPECT_EQ(after.origin, FieldOrigin::kComputed);
+  EXPECT_EQ(after.field->distances, before->field->distances);
   EXPECT_THAT(warnings_, SizeIs(1));
 }
 

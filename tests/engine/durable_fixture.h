@@ -123,6 +123,24 @@ class DurableEngineTest : public EngineActions {
   std::unique_ptr<QueryEngine> engine_;
 };
 
+// The same, and a mesh that is held.
+class HeldMeshTest : public DurableEngineTest {
+ protected:
+  void Hold(const TriangleSoup& soup) {
+    mesh_ = *engine_->meshes().Get(Upload(soup).value().mesh.digest);
+  }
+
+  // Forgets the mesh, and takes it from disk.
+  void RestartWithMesh() {
+    executor_.RunAll();  // writes fields
+    const std::string digest = std::exchange(mesh_, nullptr)->digest;
+    Restart();
+    mesh_ = *Await(digest);
+  }
+
+  MeshHandle mesh_;
+};
+
 }  // namespace geodesic::server::test
 
 #endif  // GEODESIC_TESTS_ENGINE_DURABLE_FIXTURE_H_

@@ -25,9 +25,7 @@ class FieldQueryTest : public test::EngineTest {
   using EngineTest::EngineTest;
 
   void SetUp() override {
-    const auto uploaded = Upload(geodesic::test::Icosphere(2));
-    ASSERT_TRUE(uploaded.ok()) << uploaded.status();
-    digest_ = uploaded->mesh.digest;
+    digest_ = Upload(geodesic::test::Icosphere(2)).value().mesh.digest;
   }
 
   absl::StatusOr<FieldCall> Ask(
@@ -83,17 +81,6 @@ TEST_F(FieldQueryTest, TheOrderOfSourcesDoesNotMatter) {
   EXPECT_EQ(ask({At(1, 0.5), At(0)}), FieldOrigin::kComputed);
   EXPECT_EQ(ask({At(0), At(1, 0.5), At(1, 0.75)}), FieldOrigin::kCached);
   EXPECT_EQ(ask({At(0), At(1, 0.25)}), FieldOrigin::kComputed);
-}
-
-TEST_F(FieldQueryTest, ConcurrentEqualQueriesAreSolvedOnce) {
-  ASSERT_TRUE(Ask(0, a_).ok());
-  const auto joined = Ask(0, b_);
-  ASSERT_TRUE(joined.ok());
-  EXPECT_EQ(joined->origin, FieldOrigin::kJoined);
-  executor_.RunAll();
-  EXPECT_EQ(engine_.counters().solves_started, 1);
-  EXPECT_EQ(**a_->field, **b_->field);
-  EXPECT_EQ(engine_.counters().queries_joined, 1);
 }
 
 TEST_F(FieldQueryTest, AlgorithmsAreDifferentQuestions) {

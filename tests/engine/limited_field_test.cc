@@ -30,9 +30,7 @@ class LimitedFieldTest : public test::EngineTest {
 
   void SetUp() override {
     soup_ = geodesic::test::MakeGrid({.columns = kSide, .rows = kSide});
-    const auto uploaded = Upload(soup_);
-    ASSERT_TRUE(uploaded.ok()) << uploaded.status();
-    digest_ = uploaded->mesh.digest;
+    digest_ = Upload(soup_).value().mesh.digest;
   }
 
   FieldRequest Request(FieldReach reach = {}) const {

@@ -23,24 +23,22 @@ using MeshEngineTest = test::EngineTest;
 
 TEST_F(MeshEngineTest, AnUploadBecomesResident) {
   const TriangleSoup soup = geodesic::test::Icosphere(1);
-  const auto uploaded = Upload(soup);
-  ASSERT_TRUE(uploaded.ok()) << uploaded.status();
-  EXPECT_FALSE(uploaded->already_resident);
-  EXPECT_EQ(uploaded->mesh.digest, MeshDigest(soup));
-  EXPECT_EQ(uploaded->mesh.summary.faces, 80);
-  EXPECT_EQ((*engine_.meshes().Get(uploaded->mesh.digest))->digest,
-            uploaded->mesh.digest);
-  EXPECT_GT(uploaded->mesh.resident_bytes, 0);
-  EXPECT_EQ(uploaded->mesh.stored_bytes, 0);
+  const auto uploaded = Upload(soup).value();
+  EXPECT_FALSE(uploaded.already_resident);
+  EXPECT_EQ(uploaded.mesh.digest, MeshDigest(soup));
+  EXPECT_EQ(uploaded.mesh.summary.faces, 80);
+  EXPECT_EQ((*engine_.meshes().Get(uploaded.mesh.digest))->digest,
+            uploaded.mesh.digest);
+  EXPECT_GT(uploaded.mesh.resident_bytes, 0);
+  EXPECT_EQ(uploaded.mesh.stored_bytes, 0);
 }
 
 TEST_F(MeshEngineTest, TheSameMeshInAnotherFormatIsTheSameMesh) {
-  const auto arrays = Upload(test::Tetrahedron());
-  ASSERT_TRUE(arrays.ok());
-  const auto off = Upload(test::TetrahedronOffHeader(), test::kTetrahedronOff);
-  ASSERT_TRUE(off.ok()) << off.status();
-  EXPECT_TRUE(off->already_resident);
-  EXPECT_EQ(off->mesh.digest, arrays->mesh.digest);
+  const auto arrays = Upload(test::Tetrahedron()).value();
+  const auto off =
+      Upload(test::TetrahedronOffHeader(), test::kTetrahedronOff).value();
+  EXPECT_TRUE(off.already_resident);
+  EXPECT_EQ(off.mesh.digest, arrays.mesh.digest);
   EXPECT_EQ(engine_.counters().meshes_built, 1);
 }
 
@@ -110,13 +108,12 @@ TEST_F(MeshEngineTest, FindMissingTellsWhatToUpload) {
   const std::string other(64, '0');
 
   const auto missing =
-      engine_.meshes().FindMissing({other, digest}, {unknown, known});
-  ASSERT_TRUE(missing.ok());
-  EXPECT_THAT(missing->mesh_digests, ElementsAre(other));
-  EXPECT_THAT(missing->files, ElementsAre(unknown));
-  ASSERT_EQ(missing->known_files.size(), 1);
-  EXPECT_EQ(missing->known_files[0].file, known);
-  EXPECT_EQ(missing->known_files[0].mesh_digest, digest);
+      engine_.meshes().FindMissing({other, digest}, {unknown, known}).value();
+  EXPECT_THAT(missing.mesh_digests, ElementsAre(other));
+  EXPECT_THAT(missing.files, ElementsAre(unknown));
+  ASSERT_EQ(missing.known_files.size(), 1);
+  EXPECT_EQ(missing.known_files[0].file, known);
+  EXPECT_EQ(missing.known_files[0].mesh_digest, digest);
 }
 
 TEST_F(MeshEngineTest, FindMissingChecksItsArguments) {
@@ -149,12 +146,11 @@ TEST_F(MeshEngineTest, ListsInPages) {
   std::string token;
   int pages = 0;
   do {
-    const auto page = engine_.meshes().List(2, token);
-    ASSERT_TRUE(page.ok());
-    for (const MeshDescription& mesh : page->meshes) {
+    const auto page = engine_.meshes().List(2, token).value();
+    for (const MeshDescription& mesh : page.meshes) {
       listed.push_back(mesh.digest);
     }
-    token = page->next_token;
+    token = page.next_token;
     ++pages;
   } while (!token.empty());
   EXPECT_EQ(listed, digests);
@@ -166,14 +162,6 @@ TEST_F(MeshEngineTest, ListsInPages) {
 TEST_F(MeshEngineTest, ListChecksItsArguments) {
   EXPECT_EQ(FieldPathOf(engine_.meshes().List(-1, "").status()), "page_size");
   EXPECT_EQ(FieldPathOf(engine_.meshes().List(1, "x").status()), "page_token");
-}
-
-TEST_F(MeshEngineTest, DeleteForgetsTheMesh) {
-  const std::string digest = Upload(test::Tetrahedron())->mesh.digest;
-  EXPECT_TRUE(Delete(digest).ok());
-  EXPECT_TRUE(absl::IsNotFound(Delete(digest)));
-  EXPECT_TRUE(absl::IsNotFound(engine_.meshes().Get(digest).status()));
-  EXPECT_EQ(engine_.meshes().store().used_bytes(), 0);
 }
 
 }  // namespace

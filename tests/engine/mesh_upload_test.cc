@@ -78,10 +78,9 @@ TEST_F(MeshUploadTest, ArraysArriveUnchanged) {
   }
   ASSERT_TRUE(upload->Finish().ok());
   EXPECT_EQ(upload->file(), std::nullopt);
-  const auto parsed = TryToParse(*upload);
-  ASSERT_TRUE(parsed.ok()) << parsed.status();
-  EXPECT_EQ(parsed->positions, soup.positions);
-  EXPECT_EQ(parsed->triangles, soup.triangles);
+  const auto parsed = TryToParse(*upload).value();
+  EXPECT_EQ(parsed.positions, soup.positions);
+  EXPECT_EQ(parsed.triangles, soup.triangles);
 }
 
 TEST_F(MeshUploadTest, BadHeadersAreRefused) {
@@ -194,14 +193,12 @@ TEST_F(MeshUploadTest, NoFileTakesMoreThanWasSetAside) {
   auto upload = Received(Polygon(kCorners));
   ASSERT_TRUE(upload->ReserveForParse().ok());
   EXPECT_EQ(memory_->used(), MeshUpload::BytesToParse(upload->header()));
-  const auto cut_off = upload->Parse(checkpoint_);
-  ASSERT_TRUE(cut_off.ok()) << cut_off.status();
-  EXPECT_FALSE(*cut_off);
+  const auto cut_off = upload->Parse(checkpoint_).value();
+  EXPECT_FALSE(cut_off);
 
   uint64_t taken = 0;
-  const auto parsed = TryToParse(*upload, &taken);
-  ASSERT_TRUE(parsed.ok()) << parsed.status();
-  EXPECT_EQ(parsed->triangles.size(), kCorners - 2);
+  const auto parsed = TryToParse(*upload, &taken).value();
+  EXPECT_EQ(parsed.triangles.size(), kCorners - 2);
   EXPECT_GE(taken, upload->header().size_bytes + 2 * kTriangleBytes);
   EXPECT_EQ(memory_->used(), upload->memory().bytes());
   EXPECT_GE(memory_->used(), kTriangleBytes);
@@ -238,9 +235,8 @@ TEST_F(MeshUploadTest, AVtpMayHoldMuchMoreThanItsBytes) {
   auto upload = *Start({.format = MeshFormat::kVtp, .size_bytes = file.size()});
   ASSERT_TRUE(upload->Append(0, file).ok());
   ASSERT_TRUE(upload->Finish().ok());
-  const auto parsed = TryToParse(*upload);
-  ASSERT_TRUE(parsed.ok()) << parsed.status();
-  ASSERT_EQ(parsed->triangles.size(), 2000u);
+  const auto parsed = TryToParse(*upload).value();
+  ASSERT_EQ(parsed.triangles.size(), 2000u);
   EXPECT_GT(4 * 2000 * sizeof(Triangle), 48 * file.size());
 }
 

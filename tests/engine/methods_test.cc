@@ -16,7 +16,6 @@
 namespace geodesic::server {
 namespace {
 
-using test::DurableEngineTest;
 using test::RecordingObserver;
 
 constexpr MethodChoice kFmm = {.method = ApproximateMethod::kFmm};
@@ -24,27 +23,13 @@ constexpr MethodChoice kHeat = {.method = ApproximateMethod::kHeat};
 constexpr MethodChoice kGraph = {.method = ApproximateMethod::kSvg,
                                  .neighbours = 20};
 
-class MethodsTest : public DurableEngineTest {
+class MethodsTest : public test::HeldMeshTest {
  protected:
   using Told = std::optional<absl::StatusOr<MethodHandle>>;
 
   void SetUp() override {
-    DurableEngineTest::SetUp();
-    Upload();
-  }
-
-  void Upload() {
-    const auto uploaded =
-        DurableEngineTest::Upload(geodesic::test::Icosphere(3));
-    ASSERT_TRUE(uploaded.ok()) << uploaded.status();
-    mesh_ = *engine().meshes().Get(uploaded->mesh.digest);
-  }
-
-  // Forgets the mesh that is held, and takes it from disk.
-  void RestartWithMesh() {
-    const std::string digest = std::exchange(mesh_, nullptr)->digest;
-    Restart();
-    mesh_ = *Await(digest);
+    HeldMeshTest::SetUp();
+    Hold(geodesic::test::Icosphere(3));
   }
 
   absl::StatusOr<MethodJobs::Ticket> Ask(const MethodChoice& choice,
@@ -73,8 +58,6 @@ class MethodsTest : public DurableEngineTest {
   }
 
   const MethodStore& store() { return engine().meshes().methods(); }
-
-  MeshHandle mesh_;
 };
 
 TEST_F(MethodsTest, EqualPreparationsAreOne) {
@@ -132,12 +115,10 @@ TEST_F(MethodsTest, FieldsOfDifferentAccuracyNeverAnswerEachOther) {
 
 TEST_F(MethodsTest, NorDoThoseOnDisk) {
   const std::vector<double> marched = FieldBy(kFmm).field->distances;
-  executor_.RunAll();  // writes it
   RestartWithMesh();
   const FieldAnswer exact = FieldBy(std::nullopt);
   EXPECT_EQ(exact.origin, FieldOrigin::kComputed);
   EXPECT_NE(exact.field->distances, marched);
-  executor_.RunAll();
   RestartWithMesh();
   EXPECT_EQ(FieldBy(kHeat).origin, FieldOrigin::kComputed);
   const FieldAnswer again = FieldBy(kFmm);
@@ -185,7 +166,6 @@ TEST_F(MethodsTest, GraphsOutliveTheServer) {
   ASSERT_TRUE(built.ok()) << built.status();
   const std::vector<double> distances = FieldBy(kGraph).field->distances;
   EXPECT_EQ(engine().methods().made(), 1);
-  executor_.RunAll();
   RestartWithMesh();
   EXPECT_EQ(store().size(), 0);
   EXPECT_EQ(Prepare(kGraph)->method->method(), ApproximateMethod::kSvg);
@@ -212,7 +192,7 @@ TEST_F(MethodsTest, AMeshTakesAllOfItAlong) {
   ASSERT_TRUE(Delete(digest).ok());
   EXPECT_EQ(store().size(), 0);
   EXPECT_EQ(store().used_bytes(), 0);
-  Upload();
+  Hold(geodesic::test::Icosphere(3));
   ASSERT_TRUE(Prepare(kGraph).ok());
   EXPECT_EQ(engine().methods().loaded(), 0) << "its file is gone";
 }

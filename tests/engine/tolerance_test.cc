@@ -4,43 +4,24 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "tests/engine/durable_fixture.h"
-#include "tests/engine/engine_fixture.h"
 #include "tests/support/meshes/curved_meshes.h"
 
 namespace geodesic::server {
 namespace {
 
-using test::DurableEngineTest;
 using test::RecordingObserver;
 
-class EngineToleranceTest : public DurableEngineTest {
+class EngineToleranceTest : public test::HeldMeshTest {
  protected:
   void SetUp() override {
-    DurableEngineTest::SetUp();
-    Upload();
-  }
-
-  void Upload() {
-    const auto uploaded =
-        DurableEngineTest::Upload(geodesic::test::Terrain(30, 30, 0.6, 3));
-    ASSERT_TRUE(uploaded.ok()) << uploaded.status();
-    mesh_ = *engine().meshes().Get(uploaded->mesh.digest);
-  }
-
-  // Forgets the mesh that is held, and takes it from disk.
-  void RestartWithMesh() {
-    executor_.RunAll();  // writes fields
-    const std::string digest = std::exchange(mesh_, nullptr)->digest;
-    Restart();
-    mesh_ = *Await(digest);
+    HeldMeshTest::SetUp();
+    Hold(geodesic::test::Terrain(30, 30, 0.6, 3));
   }
 
   // The field from vertex 0.
@@ -66,8 +47,6 @@ class EngineToleranceTest : public DurableEngineTest {
           << v;
     }
   }
-
-  MeshHandle mesh_;
 };
 
 TEST_F(EngineToleranceTest, AnExactFieldAnswersForATolerance) {
@@ -169,34 +148,6 @@ TEST_F(EngineToleranceTest, WhatItDoesNotHaveIsRefusedByName) {
   EXPECT_EQ(refusal({.settled_order = true}), "progressive");
   EXPECT_EQ(refusal({.gradients = true}), "quantities:");
   EXPECT_EQ(refusal({.nearest_sources = true}), "quantities:");
-}
-
-class ToleranceThreadsTest : public test::EngineTest {};
-
-TEST_F(ToleranceThreadsTest, AnyNumberOfThemGivesTheSameBits) {
-  const TriangleSoup soup = geodesic::test::Terrain(60, 60, 0.6, 3);
-  std::optional<DistanceField> first;
-  for (const uint32_t threads : {1u, 2u, 5u}) {
-    start_ = [threads](const Mesh& mesh, const ValidQuery& query,
-                       SolveOptions options) {
-      options.threads = threads;
-      return StartComputation(mesh, query, options);
-    };
-    const std::string digest = Upload(soup)->mesh.digest;
-    const auto observer = std::make_shared<RecordingObserver>();
-    ASSERT_TRUE(engine_.fields()
-                    .Compute({.mesh_digest = digest,
-                              .query = {.sources = {{VertexPoint{0}}},
-                                        .tolerance = 1e-3}},
-                             observer)
-                    .ok());
-    executor_.RunAll();
-    const DistanceField& field = *(*observer->answer)->field;
-    if (!first) first = field;
-    EXPECT_EQ(field.distances, first->distances) << threads;
-    EXPECT_EQ(field.certified_errors, first->certified_errors) << threads;
-    ASSERT_TRUE(Delete(digest).ok());
-  }
 }
 
 }  // namespace

@@ -74,6 +74,8 @@ class DistancesTest(unittest.TestCase):
         d = two.distances(0)
         self.assertTrue(np.all(np.isfinite(d[:6])))
         self.assertTrue(np.all(d[6:] == np.inf))
+        matrix = two.matrix([0, 7])
+        self.assertTrue(np.all(matrix[[0, 1], [7, 0]] == np.inf))
 
     def test_radius(self):
         mesh = self.make(*meshes.terrain(20))

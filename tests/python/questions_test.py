@@ -88,6 +88,13 @@ class QuestionsTest(unittest.TestCase):
                     atol=tolerances.COORDINATES)
                 self.assert_on_faces(path)
 
+    def test_paths_within_a_radius(self):
+        whole = self.mesh.distances(0)
+        # Though a service has kept a field that reaches further.
+        near, far = self.mesh.paths(0, [26, 624], radius=0.3)
+        self.assert_close(near.length, whole[26])
+        self.assertEqual((len(far), far.distance), (0, np.inf))
+
     def test_path_that_is_not_there(self):
         vertices, faces = meshes.octahedron()
         mesh = self.make(np.concatenate([vertices, [[9, 9, 9]]]), faces)

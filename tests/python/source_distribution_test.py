@@ -1,11 +1,17 @@
-"""A source distribution holds all that the extension is built from."""
+"""A source distribution holds all that the extension is built from, and what is
+installed tells types and needs NumPy alone."""
 
+import importlib.metadata
 import pathlib
+import re
 import subprocess
 import sys
 import tarfile
 import tempfile
 import unittest
+
+import geodesic
+from geodesic import _core
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[2] / "python"
 
@@ -36,6 +42,18 @@ class SourceDistributionTest(unittest.TestCase):
                  "geodesic_python_stubs"],
                 check=True, stdout=subprocess.DEVNULL)
             self.assertTrue((tree / "geodesic" / "mesh.py").exists())
+
+    def test_what_is_installed(self):
+        needed = [line for line in importlib.metadata.requires("geodesic")
+                  if "extra ==" not in line]
+        self.assertEqual([re.match(r"\w+", line)[0] for line in needed],
+                         ["numpy"])
+        package = pathlib.Path(geodesic.__file__).parent
+        self.assertTrue((package / "py.typed").exists())
+        stub = (package / "_core.pyi").read_text(encoding="utf-8")
+        for name in vars(_core):
+            if not name.startswith("_"):
+                self.assertRegex(stub, rf"(?m)^(class |def )?{name}\b")
 
 
 if __name__ == "__main__":

@@ -123,14 +123,5 @@ class ToleranceTest(unittest.TestCase):
             self.mesh.path(0, 9, tolerance=1e-3)
 
 
-class ThreadsTest(unittest.TestCase):
-
-    def test_any_number_gives_the_same_bits(self):
-        mesh = geodesic.Mesh(*meshes.terrain(70))
-        one, four = (mesh.distances(0, tolerance=1e-3, threads=threads)
-                     for threads in (1, 4))
-        np.testing.assert_array_equal(one, four)
-
-
 if __name__ == "__main__":
     unittest.main()

@@ -450,13 +450,17 @@ class QuestionCancellationTest : public test::QuestionsTest {
     EXPECT_NE(CancelledSeconds(), before);
   }
 
-  // The line that tells of the time of jobs which nobody waited for at their
-  // end.
+  // The time of jobs which nobody waited for at their end.
   std::string CancelledSeconds() const {
+    return Metric("geodesic_cancelled_compute_seconds_total ");
+  }
+
+ protected:
+  // The line that begins so.
+  std::string Metric(const std::string& name) const {
     const std::string page =
         geodesic::test::HttpGet(server_->metrics_port(), "/metrics");
-    const size_t begin =
-        page.find("\ngeodesic_cancelled_compute_seconds_total ") + 1;
+    const size_t begin = page.find("\n" + name) + 1;
     return page.substr(begin, page.find('\n', begin) - begin);
   }
 };
@@ -467,6 +471,16 @@ TEST_F(QuestionCancellationTest, StopsItsWork) {
   paths.set_radius(kSide);  // a field, which can be held up
   ExpectCancelled(paths);
   ExpectCancelled(From<v1::ComputeLogMapRequest>(Vertex(5, 5)));
+  EXPECT_EQ(Metric("geodesic_solves_ended_total{result=\"stopped\"}"),
+            "geodesic_solves_ended_total{result=\"stopped\"} 2");
+  // A field each, because they share their ends.
+  v1::ComputePairsRequest pairs;
+  pairs.set_mesh_digest(digest_);
+  for (uint32_t i = 0; i < 100; ++i) {
+    pairs.add_vertex_pairs(i / 20);
+    pairs.add_vertex_pairs(50 + i % 20);
+  }
+  ExpectCancelled(pairs);
   auto matrix = From<v1::ComputeMatrixRequest>(1);
   for (uint32_t i = 2; i <= kSide; ++i) matrix.add_sources()->set_vertex(i);
   ExpectCancelled(matrix);

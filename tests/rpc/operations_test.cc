@@ -229,20 +229,6 @@ TEST_F(PagesTest, OneAddressHoldsNoOtherUp) {
   for (const int connection : silent) close(connection);
 }
 
-TEST_F(PagesTest, CancelledWorkIsCounted) {
-  const std::string digest = Upload(test::Tetrahedron());
-  const auto call = Open(digest, 0);
-  solver_.WaitForStarts(1);
-  call->context.TryCancel();
-  EXPECT_EQ(call->End().error_code(), grpc::StatusCode::CANCELLED);
-  ASSERT_TRUE(server_->engine().scheduler().WaitIdle(std::chrono::minutes(1)));
-  const std::string page = HttpGet(server_->metrics_port(), "/metrics");
-  EXPECT_EQ(page.find("geodesic_cancelled_compute_seconds_total 0\n"),
-            std::string::npos);
-  EXPECT_THAT(page,
-              HasSubstr("geodesic_solves_ended_total{result=\"stopped\"} 1"));
-}
-
 // Shutting down.
 class DrainTest : public test::RpcTest {
  protected:

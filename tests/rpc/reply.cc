@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "codec/value_type.h"
+
 namespace geodesic::server::test {
 namespace {
 
@@ -78,21 +80,6 @@ Reply ReadAll(AnswerReader& reader) {
   return reply;
 }
 
-size_t SizeOf(const v1::ArrayInfo& array) {
-  switch (array.type()) {
-    case v1::VALUE_TYPE_UINT8:
-      return 1;
-    case v1::VALUE_TYPE_FLOAT32:
-    case v1::VALUE_TYPE_UINT32:
-      return 4;
-    case v1::VALUE_TYPE_FLOAT64:
-    case v1::VALUE_TYPE_UINT64:
-      return 8;
-    default:
-      throw std::out_of_range(array.ShortDebugString());
-  }
-}
-
 void ExpectRules(const Reply& reply, const v1::Resumption& before) {
   if (reply.messages.empty()) {
     EXPECT_FALSE(reply.status.ok());
@@ -118,7 +105,7 @@ void ExpectRules(const Reply& reply, const v1::Resumption& before) {
     is_named |= brings_name;
     for (const v1::Block& block : message.blocks()) {
       ASSERT_LT(block.array(), arrays.size());
-      const size_t size = SizeOf(arrays[block.array()]);
+      const size_t size = codec::SizeOf(arrays[block.array()].type());
       EXPECT_EQ(block.first(), next[block.array()]);
       EXPECT_GT(block.values().size(), 0);
       EXPECT_EQ(block.values().size() % size, 0);

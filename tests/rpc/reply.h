@@ -46,9 +46,6 @@ struct Reply {
 // Reads to the end.
 Reply ReadAll(AnswerReader& reader);
 
-// How many bytes a number of an array takes.
-size_t SizeOf(const v1::ArrayInfo& array);
-
 // That these messages keep the rules of answer.proto, and bring all of the
 // answer if it ended well but for what came before.
 void ExpectRules(const Reply& reply, const v1::Resumption& before);

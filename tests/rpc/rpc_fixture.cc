@@ -1,6 +1,5 @@
 #include "tests/rpc/rpc_fixture.h"
 
-#include <grpcpp/completion_queue.h>
 #include <grpcpp/create_channel.h>
 #include <grpcpp/generic/generic_stub.h>
 #include <grpcpp/security/credentials.h>
@@ -10,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <future>
 #include <utility>
 
 #include "absl/strings/cord.h"
@@ -168,6 +168,24 @@ std::string RpcTest::Upload(const TriangleSoup& soup,
   return response.mesh().digest();
 }
 
+grpc::Status RpcTest::GetMesh(const std::string& digest, v1::Mesh& mesh) {
+  grpc::ClientContext context;
+  v1::GetMeshRequest request;
+  request.set_digest(digest);
+  v1::GetMeshResponse response;
+  const grpc::Status status = meshes_->GetMesh(&context, request, &response);
+  mesh = response.mesh();
+  return status;
+}
+
+grpc::Status RpcTest::DeleteMesh(const std::string& digest) {
+  grpc::ClientContext context;
+  v1::DeleteMeshRequest request;
+  request.set_digest(digest);
+  v1::DeleteMeshResponse response;
+  return meshes_->DeleteMesh(&context, request, &response);
+}
+
 v1::ComputeFieldRequest RpcTest::FieldRequest(const std::string& digest,
                                               uint64_t vertex) {
   v1::ComputeFieldRequest request;
@@ -220,44 +238,24 @@ absl::StatusOr<std::string> CallMethod(
     const std::string& request, const Metadata& metadata) {
   grpc::ClientContext context;
   for (const auto& [name, value] : metadata) context.AddMetadata(name, value);
-  grpc::CompletionQueue queue;
-  grpc::GenericStub stub(channel);
-  const auto next = [&] {
-    void* tag = nullptr;
-    bool ok = false;
-    return queue.Next(&tag, &ok) && ok;
-  };
-
-  const auto call = stub.PrepareCall(&context, method, &queue);
-  call->StartCall(nullptr);
-  if (!next()) return absl::UnavailableError("the call did not start");
   const grpc::Slice slice(request);
-  call->Write(grpc::ByteBuffer(&slice, 1), nullptr);
-  next();
-  call->WritesDone(nullptr);
-  next();
+  const grpc::ByteBuffer sent(&slice, 1);
   grpc::ByteBuffer response;
-  call->Read(&response, nullptr);
-  const bool answered = next();
-  grpc::Status status;
-  call->Finish(&status, nullptr);
-  next();
-  queue.Shutdown();
-  while (next()) {
-  }
-  if (!answered) {
+  const auto ended = std::make_shared<std::promise<grpc::Status>>();
+  grpc::GenericStub(channel).UnaryCall(
+      &context, method, {}, &sent, &response,
+      [ended](grpc::Status status) { ended->set_value(std::move(status)); });
+  const grpc::Status status = ended->get_future().get();
+  if (!status.ok()) {
     absl::Status error(static_cast<absl::StatusCode>(status.error_code()),
                        status.error_message());
     error.SetPayload(kDetails, absl::Cord(status.error_details()));
     return error;
   }
-  std::vector<grpc::Slice> slices;
-  response.Dump(&slices);
-  std::string bytes;
-  for (const grpc::Slice& part : slices) {
-    bytes.append(reinterpret_cast<const char*>(part.begin()), part.size());
-  }
-  return bytes;
+  grpc::Slice bytes;
+  response.DumpToSingleSlice(&bytes);
+  return std::string(reinterpret_cast<const char*>(bytes.begin()),
+                     bytes.size());
 }
 
 google::rpc::Status Details(const grpc::Status& status) {

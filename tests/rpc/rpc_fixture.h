@@ -101,6 +101,10 @@ class RpcTest : public ::testing::Test {
   // Uploads as arrays; returns the digest.
   std::string Upload(const TriangleSoup& soup, const std::string& token = "");
 
+  // What the server says of a mesh.
+  grpc::Status GetMesh(const std::string& digest, v1::Mesh& mesh);
+  grpc::Status DeleteMesh(const std::string& digest);
+
   static v1::ComputeFieldRequest FieldRequest(const std::string& digest,
                                               uint64_t vertex);
   // Begins a call, and reads nothing.
@@ -174,7 +178,7 @@ std::vector<const google::protobuf::MethodDescriptor*> AllMethods();
 std::string PathOf(const google::protobuf::MethodDescriptor& method);
 
 // Sends one serialized message to `method` ("/package.Service/Method"), for
-// which there need be no stub, and returns the first one that comes back.
+// which there need be no stub, and returns the one that comes back.
 absl::StatusOr<std::string> CallMethod(
     const std::shared_ptr<grpc::Channel>& channel, const std::string& method,
     const std::string& request, const Metadata& metadata = {});

@@ -188,23 +188,15 @@ TEST_F(StoredMeshTest, MeshesComeAndGoWhileTheyAreDescribed) {
   // Between disk and memory a mesh is in one of the two only.
   std::jthread describer([&] {
     while (!is_over) {
-      grpc::ClientContext context;
-      v1::GetMeshRequest request;
-      request.set_digest(digest);
-      v1::GetMeshResponse response;
-      const grpc::Status status =
-          meshes_->GetMesh(&context, request, &response);
+      v1::Mesh mesh;
+      const grpc::Status status = GetMesh(digest, mesh);
       EXPECT_TRUE(status.ok() ||
                   status.error_code() == grpc::StatusCode::NOT_FOUND)
           << status.error_message();
     }
   });
   for (int i = 0; i < kTimes; ++i) {
-    grpc::ClientContext context;
-    v1::DeleteMeshRequest request;
-    request.set_digest(digest);
-    v1::DeleteMeshResponse response;
-    EXPECT_TRUE(meshes_->DeleteMesh(&context, request, &response).ok());
+    EXPECT_TRUE(DeleteMesh(digest).ok());
     EXPECT_EQ(Upload(soup), digest);
   }
   is_over = true;

@@ -4,11 +4,14 @@
 #define GEODESIC_TESTS_SUPPORT_CHECKPOINTS_H_
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "absl/status/status.h"
 #include "geodesic/checkpoint.h"
+#include "geodesic/settled_vertices.h"
 
 namespace geodesic::test {
 
@@ -32,6 +35,29 @@ class RecordingCheckpoint final : public Checkpoint {
  private:
   const uint64_t stop_at_;
   std::vector<Progress> polls_;
+};
+
+// Keeps vertices as they settle.
+class SettledCheckpoint final : public Checkpoint {
+ public:
+  explicit SettledCheckpoint(const Mesh& mesh) : vertices_(mesh) {}
+
+  absl::Status Poll(const Progress& progress) override {
+    const size_t before = settled.size();
+    for (const SettledVertex& vertex : vertices_.Collect(progress)) {
+      settled.push_back(vertex);
+    }
+    if (std::isfinite(progress.settled_radius)) {
+      early += settled.size() - before;
+    }
+    return absl::OkStatus();
+  }
+
+  std::vector<SettledVertex> settled;
+  size_t early = 0;  // given out while the wavefront still moved
+
+ private:
+  SettledVertices vertices_;
 };
 
 // Stops what takes so many windows that something must have gone wrong.

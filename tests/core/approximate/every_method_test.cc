@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "absl/status/status.h"
-#include "absl/strings/ascii.h"
 #include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
 #include "geodesic/read_mesh.h"
 #include "geodesic_types/field_path.h"
 #include "tests/core/approximate/method_check.h"
+#include "tests/core/exactness/every_algorithm.h"
 #include "tests/support/checkpoints.h"
 #include "tests/support/meshes/curved_meshes.h"
 #include "tests/support/meshes/mesh_edits.h"
@@ -295,15 +295,11 @@ TEST_P(EveryMethod, IsSoundOrRefusesOnHostileFiles) {
   EXPECT_GT(tried, 40);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Methods, EveryMethod, testing::ValuesIn(kApproximateMethods),
-    [](const testing::TestParamInfo<ApproximateMethodInfo>& method) {
-      std::string name(method.param.name);
-      for (char& c : name) {
-        if (!absl::ascii_isalnum(static_cast<unsigned char>(c))) c = '_';
-      }
-      return name;
-    });
+INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod,
+                         testing::ValuesIn(kApproximateMethods),
+                         [](const auto& method) {
+                           return TestName(method.param.name);
+                         });
 
 }  // namespace
 }  // namespace test

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <vector>
 
 #include "tests/core/approximate/method_check.h"
@@ -19,22 +18,12 @@ namespace {
 constexpr ApproximateMethod kBoth[] = {ApproximateMethod::kFmm,
                                        ApproximateMethod::kFmmUntidy};
 
-// Rows of `steps` unit edges, each row `lean` to the right of the one below and
+// Rows of `steps` unit edges, each row `lean` to the left of the one below and
 // `rise` above it.
 TriangleSoup Lattice(uint32_t steps, double lean, double rise) {
-  TriangleSoup soup;
-  for (uint32_t y = 0; y <= steps; ++y) {
-    for (uint32_t x = 0; x <= steps; ++x) {
-      soup.positions.push_back({x + lean * y, rise * y, 0});
-    }
-  }
-  for (uint32_t y = 0; y < steps; ++y) {
-    for (uint32_t x = 0; x < steps; ++x) {
-      const uint32_t v = y * (steps + 1) + x, above = v + steps + 1;
-      soup.triangles.push_back({v, v + 1, above});
-      soup.triangles.push_back({v + 1, above + 1, above});
-    }
-  }
+  TriangleSoup soup =
+      MakeGrid({.columns = steps, .rows = steps, .cell_height = rise});
+  for (Point& p : soup.positions) p[0] -= lean / rise * p[1];
   return soup;
 }
 

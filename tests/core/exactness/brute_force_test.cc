@@ -28,7 +28,7 @@ namespace {
 // sources with offsets.
 void ExpectBruteForce(const NamedMesh& named, uint32_t fields, uint64_t seed,
                       double slack = 0) {
-  const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+  const auto mesh = BuildOrFail(named);
   const BruteForce brute_force(named.soup);
   Random random(seed);
   const auto any_vertex = [&] { return random.Below(mesh->vertex_count()); };
@@ -201,8 +201,7 @@ TEST(BruteForceComparison, PointsRightBesideDoubledVertices) {
     std::vector<uint32_t> doubled;
     const TriangleSoup soup = DoubleVertices(
         RotateAndShift(BoxGrid(1, 2, 1.5, 2, 2, 2), seed), 3, seed, &doubled);
-    const std::shared_ptr<const Mesh> mesh =
-        BuildOrFail({"doubled vertices", soup});
+    const auto mesh = BuildOrFail({"doubled vertices", soup});
     const std::vector<SurfacePoint> points =
         PointsBeside(soup, doubled, 2.6e-10);
     const BruteForce brute_force(soup, points);
@@ -227,7 +226,7 @@ TEST(BruteForceComparison, VerticesRightBesideEdges) {
     for (Point& p : soup.positions) {
       for (double& c : p) c += random.Uniform(-2e-12, 2e-12);
     }
-    const std::shared_ptr<const Mesh> mesh = BuildOrFail({"fan", soup});
+    const auto mesh = BuildOrFail({"fan", soup});
     const BruteForce brute_force(soup);
     for (uint32_t s = 0; s < mesh->vertex_count(); ++s) {
       ExpectFromAll(kAlgorithms, "fan", *mesh, {.sources = {{VertexPoint{s}}}},

@@ -24,7 +24,7 @@ class Curves : public EveryAlgorithm {
   void ExpectEuclid(const std::string& name, const TriangleSoup& soup,
                     const std::vector<PlanarCurve>& curves,
                     const std::vector<Source>& points = {}) const {
-    const std::shared_ptr<const Mesh> mesh = BuildOrFail({name, soup});
+    const auto mesh = BuildOrFail({name, soup});
     Query query{.sources = points};
     for (const PlanarCurve& curve : curves) {
       query.sources.push_back(OnMesh(soup, curve));
@@ -99,7 +99,7 @@ TEST_P(Curves, BesidePointsAndWithOffsets) {
 TEST_P(Curves, EndNearVertices) {
   const TriangleSoup soup =
       InsertZeroAreaFaces(MakeGrid({.columns = 8, .rows = 8}), 60, 2);
-  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"grid", soup});
+  const auto mesh = BuildOrFail({"grid", soup});
   constexpr uint32_t kGridVertices = 81;
   for (const double t : {1e-6, 1e-8, 1e-10}) {
     for (uint32_t f = 0; f < mesh->face_count(); f += 5) {
@@ -125,7 +125,7 @@ TEST_P(Curves, RunInEveryFaceThatHoldsThem) {
   for (size_t f = 0; f < faces; ++f)
     soup.triangles.push_back(soup.triangles[f]);
   const auto& [a, b, c] = soup.triangles[9];
-  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"two sheets", soup});
+  const auto mesh = BuildOrFail({"two sheets", soup});
   const EdgePoint start{a, b, 0.4};
   Query query = Ask({.sources = {{Curve{{start, VertexPoint{c}}}}}});
   for (uint32_t f = 0; f < mesh->face_count(); ++f) {
@@ -149,8 +149,7 @@ TEST_P(Curves, AreNowhereNearerThanTheirOffset) {
     std::vector<uint32_t> doubled;
     const TriangleSoup soup =
         DoubleVertices(Terrain(5, 5, 1.5, seed), 6, seed, &doubled);
-    const std::shared_ptr<const Mesh> mesh =
-        BuildOrFail({"doubled vertices", soup});
+    const auto mesh = BuildOrFail({"doubled vertices", soup});
     for (uint32_t f = 0; f < mesh->face_count(); ++f) {
       const auto& [a, b, c] = soup.triangles[f];
       if (std::ranges::find_first_of(soup.triangles[f], doubled) ==

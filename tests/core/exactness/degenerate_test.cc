@@ -207,17 +207,25 @@ TEST_P(DegenerateMeshes, HundredsOfRings) {
 
 TEST_P(DegenerateMeshes, PathsOnAFewFaces) {
   constexpr double kBend = 1e-5, kLong = 1e5;
+  const std::vector<Point> squares = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0},
+                                      {0, 1, 0}, {2, 1, 0}, {2, 2, 0},
+                                      {1, 2, 0}};
+  const std::vector<Point> long_faces = {
+      {0, 0, 0},      {1, -kBend, 0}, {2, 0, 0},   {3, 0, 0},    {2, -kLong, 0},
+      {3, -kLong, 0}, {0.4, 1, 0},    {1.2, 1, 0}, {0.5, -1, 0}, {1.5, -1, 0},
+      {-1, 0, 0},     {-1, 1, 0},     {-1, 2, 0}};
+  const std::vector<Triangle> behind_short_ones = {
+      {0, 1, 6}, {6, 1, 7}, {1, 2, 7},   {1, 8, 9},
+      {2, 4, 3}, {3, 4, 5}, {10, 11, 12}};
+  const std::vector<Point> folds = {{5, 1, 1}, {6, 2, 0}, {5, 2, 1}, {6, 3, 0},
+                                    {5, 3, 1}, {4, 3, 2}, {6, 4, 0}, {5, 4, 2}};
+  const std::vector<Point> spoke = {{0, 1, -0.5},   {-2, 0, 0.75},
+                                    {1, 0, 0.5},    {0, 0, 0},
+                                    {-1, 0, 0.375}, {0, -2, -0.75}};
   const std::vector<NamedMesh> meshes = {
       // Every path between them bends in the vertex.
       {"two squares that touch",
-       {{{0, 0, 0},
-         {1, 0, 0},
-         {1, 1, 0},
-         {0, 1, 0},
-         {2, 1, 0},
-         {2, 2, 0},
-         {1, 2, 0}},
-        {{0, 1, 2}, {0, 2, 3}, {2, 4, 5}, {2, 5, 6}}}},
+       {squares, {{0, 1, 2}, {0, 2, 3}, {2, 4, 5}, {2, 5, 6}}}},
       // The path to (2, 0) is known first by way of the corner at (1, -1e-5),
       // where
       // faces touch, and then improves by 1e-10. That is much beside its own
@@ -226,46 +234,12 @@ TEST_P(DegenerateMeshes, PathsOnAFewFaces) {
       // one
       // there (kLoopTie, for the face without area), and one of them has to
       // stay.
-      {"long faces behind short ones",
-       {{{0, 0, 0},
-         {1, -kBend, 0},
-         {2, 0, 0},
-         {3, 0, 0},
-         {2, -kLong, 0},
-         {3, -kLong, 0},
-         {0.4, 1, 0},
-         {1.2, 1, 0},
-         {0.5, -1, 0},
-         {1.5, -1, 0},
-         {-1, 0, 0},
-         {-1, 1, 0},
-         {-1, 2, 0}},
-        {{0, 1, 6},
-         {6, 1, 7},
-         {1, 2, 7},
-         {1, 8, 9},
-         {2, 4, 3},
-         {3, 4, 5},
-         {10, 11, 12}}}},
+      {"long faces behind short ones", {long_faces, behind_short_ones}},
       // Around a face without area.
       {"strip of folds",
-       {{{5, 1, 1},
-         {6, 2, 0},
-         {5, 2, 1},
-         {6, 3, 0},
-         {5, 3, 1},
-         {4, 3, 2},
-         {6, 4, 0},
-         {5, 4, 2}},
-        {{0, 1, 2}, {2, 3, 4}, {5, 4, 3}, {6, 5, 3}, {6, 7, 5}}}},
+       {folds, {{0, 1, 2}, {2, 3, 4}, {5, 4, 3}, {6, 5, 3}, {6, 7, 5}}}},
       {"point on a spoke",
-       {{{0, 1, -0.5},
-         {-2, 0, 0.75},
-         {1, 0, 0.5},
-         {0, 0, 0},
-         {-1, 0, 0.375},
-         {0, -2, -0.75}},
-        {{0, 1, 2}, {1, 3, 2}, {1, 4, 3}, {1, 5, 4}}}},
+       {spoke, {{0, 1, 2}, {1, 3, 2}, {1, 4, 3}, {1, 5, 4}}}},
       {"doubled point on an edge",
        {{{0, 0, 0}, {1, 2, 0}, {2, 0, 0}, {1, -2, 0}, {1.5, 1, 0}, {1.5, 1, 0}},
         {{0, 2, 1}, {0, 3, 2}, {1, 4, 5}, {1, 2, 4}}}}};
@@ -278,6 +252,9 @@ TEST_P(DegenerateMeshes, PathsOnAFewFaces) {
 // windows miss vertices beside others. SolveOn expects that no vertex is
 // farther than a neighbour and the way from there.
 TEST_P(DegenerateMeshes, FoldedNeedlesAreNotLeftOut) {
+  const std::vector<Triangle> folded = {
+      {0, 4, 1}, {4, 5, 1}, {1, 5, 6}, {1, 6, 2},  {2, 6, 3},  {6, 7, 3},
+      {4, 8, 5}, {8, 9, 5}, {5, 9, 6}, {9, 10, 6}, {6, 10, 7}, {10, 11, 7}};
   const std::shared_ptr<const Mesh> mesh = BuildOrFail(
       {"folded needles",
        {{{2.6020527637557096e-12, 0.0, 1.3224557146675526e-12},
@@ -294,18 +271,7 @@ TEST_P(DegenerateMeshes, FoldedNeedlesAreNotLeftOut) {
          {7.564380301417603e-13, 0.001, 7.3567271875753e-13},
          {7.564380301417603e-13, 2.0000000000000003e-06, 5.675761100205648e-13},
          {7.564380301417603e-13, 0.003, 5.210236025582191e-15}},
-        {{0, 4, 1},
-         {4, 5, 1},
-         {1, 5, 6},
-         {1, 6, 2},
-         {2, 6, 3},
-         {6, 7, 3},
-         {4, 8, 5},
-         {8, 9, 5},
-         {5, 9, 6},
-         {9, 10, 6},
-         {6, 10, 7},
-         {10, 11, 7}}}});
+        folded}});
   for (uint32_t source = 0; source < mesh->vertex_count(); ++source) {
     SCOPED_TRACE(absl::StrCat("from ", source));
     SolveOn(*mesh, {{VertexPoint{source}}});

@@ -22,7 +22,7 @@ class GentleSaddles : public EveryAlgorithm {
   // From vertices 0, 1 and the last: no nearer than Euclid says and no farther
   // than along edges, which is the same in straight rows; and symmetric.
   void ExpectStraightRows(const NamedMesh& named) const {
-    const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+    const auto mesh = BuildOrFail(named);
     const std::vector<Point>& p = named.soup.positions;
     const auto last = static_cast<uint32_t>(p.size() - 1);
     const std::vector<uint32_t> sources = {0, 1, last};
@@ -89,7 +89,7 @@ TEST_P(GentleSaddles, RandomHeights) {
     for (const uint64_t seed : {1, 2}) {
       const NamedMesh named{absl::StrCat("heights of ", height),
                             Terrain(24, 24, height, seed)};
-      const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+      const auto mesh = BuildOrFail(named);
       const std::vector<Point>& p = named.soup.positions;
       for (const uint32_t s : SpreadVertices(named.soup, 3)) {
         const std::vector<double> field = SolveOn(*mesh, {{VertexPoint{s}}});
@@ -113,7 +113,7 @@ TEST_P(GentleSaddles, StripsOneFaceWide) {
     for (const uint64_t seed : {1, 2}) {
       const NamedMesh named{absl::StrCat("strip, heights of ", height),
                             Strip(columns, height, seed)};
-      const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+      const auto mesh = BuildOrFail(named);
       for (const uint32_t s : {0u, columns / 2, 2 * columns + 1}) {
         ExpectField(named.name, *mesh, {{VertexPoint{s}}},
                     StripDistances(named.soup, s));
@@ -129,8 +129,7 @@ TEST(WindowsOfStrips, AreNotCutToPieces) {
                                     Algorithm::kMmp, Algorithm::kLcMmp}) {
     for (const double height : {1e-5, 5e-6}) {
       for (uint64_t seed = 1; seed <= 4; ++seed) {
-        const std::shared_ptr<const Mesh> mesh =
-            BuildOrFail({"strip", Strip(1923, height, seed)});
+        const auto mesh = BuildOrFail({"strip", Strip(1923, height, seed)});
         const DistanceField field = SolveOrFail(
             *mesh, {.sources = {{VertexPoint{0}}}, .algorithm = algorithm});
         EXPECT_LT(field.statistics.windows_propagated,

@@ -161,15 +161,11 @@ TEST_P(NonManifold, CopiesDoNotHideTheStraightWay) {
 // hides what lies behind, and goes on to the page at the last one's edge.
 TEST_P(NonManifold, NeedlesLeadToPages) {
   constexpr double kHeight = 1e-8;
+  const std::vector<Point> positions = {
+      {0, 0, 0}, {1, 0, 0},   {0.8, kHeight, 0}, {0.4, 0.4 * kHeight, 0},
+      {2, 0, 0}, {0.8, 0, 1}, {0.5, 0, -1}};
   const TriangleSoup soup = {
-      {{0, 0, 0},
-       {1, 0, 0},
-       {0.8, kHeight, 0},
-       {0.4, 0.4 * kHeight, 0},
-       {2, 0, 0},
-       {0.8, 0, 1},
-       {0.5, 0, -1}},
-      {{1, 0, 2}, {3, 1, 2}, {1, 3, 4}, {0, 1, 5}, {1, 0, 6}}};
+      positions, {{1, 0, 2}, {3, 1, 2}, {1, 3, 4}, {0, 1, 5}, {1, 0, 6}}};
   const auto mesh = BuildOrFail({"needles between pages", soup});
   const SurfacePoint source = FacePoint{2, {0.03, 0.95, 0.02}};  // at x = 0.45
   const DistanceField field = SolveOrFail(*mesh, Ask({.sources = {{source}}}));

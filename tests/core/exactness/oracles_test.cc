@@ -143,13 +143,10 @@ TEST(Oracles, BruteForceLeavesThroughAShortSide) {
 // lies in that face before the edge, where the sheets are not joined.
 TEST(Oracles, BruteForceReachesNothingBeforeAnEdge) {
   constexpr uint32_t kStart = 0, kCorner = 1;
-  const TriangleSoup soup = {{{-2, 0, 0},
-                              {0, 0, 0},
-                              {1, 0, 0},
-                              {0, 1, 0},
-                              {-1, 0, 0},
-                              {-0.35, 0, 0},
-                              {0, -1, 0}},
+  const std::vector<Point> positions = {{-2, 0, 0}, {0, 0, 0},  {1, 0, 0},
+                                        {0, 1, 0},  {-1, 0, 0}, {-0.35, 0, 0},
+                                        {0, -1, 0}};
+  const TriangleSoup soup = {positions,
                              {{0, 1, 3},
                               {1, 2, 3},
                               // On the edge 4-2, with its other side below.

@@ -72,7 +72,7 @@ TEST_P(SurfacePoints, EuclidInThePlane) {
     for (const double jitter : {0.0, 0.2}) {
       const TriangleSoup soup = MakeGrid(
           {.columns = 9, .rows = 7, .diagonals = diagonals, .jitter = jitter});
-      const std::shared_ptr<const Mesh> mesh = BuildOrFail({"grid", soup});
+      const auto mesh = BuildOrFail({"grid", soup});
       const std::vector<SurfacePoint> targets = ManyPoints(soup, 40, random);
       for (int i = 0; i < 8; ++i) {
         ExpectEuclidFrom(soup, *mesh, {{RandomSurfacePoint(soup, random)}},
@@ -90,7 +90,7 @@ TEST_P(SurfacePoints, OffsetsInThePlane) {
                                       .rows = 7,
                                       .diagonals = Diagonals::kRandom,
                                       .jitter = 0.1});
-  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"grid", soup});
+  const auto mesh = BuildOrFail({"grid", soup});
   for (int i = 0; i < 100; ++i) {
     std::vector<Source> sources = {{RandomSurfacePoint(soup, random), 0.5}};
     for (int j = 1; j < 4; ++j) {
@@ -158,13 +158,12 @@ TEST_P(SurfacePoints, AreAsGoodAsVertices) {
            {"hole", MakeGrid(WithHole({.columns = 9, .rows = 9}))},
            {"jittered U",
             MakeGrid(UShape({.columns = 9, .rows = 9, .jitter = 0.2}))}}) {
-    const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+    const auto mesh = BuildOrFail(named);
     for (int i = 0; i < 4; ++i) {
       const SurfacePoint point = i % 2 ? RandomFacePoint(named.soup, random)
                                        : RandomEdgePoint(named.soup, random);
       const Inserted inserted = InsertPoint(named.soup, point);
-      const std::shared_ptr<const Mesh> finer =
-          BuildOrFail({named.name, inserted.soup});
+      const auto finer = BuildOrFail({named.name, inserted.soup});
       std::vector<double> expected =
           SolveOn(*finer, {{VertexPoint{inserted.vertex}}});
       expected.pop_back();  // of the point itself
@@ -183,7 +182,7 @@ TEST(AnyPointsOnRandomMeshes, AgreeWithBruteForce) {
   for (uint64_t seed = 0; seed < 120; ++seed) {
     const NamedMesh named{absl::StrCat("edited mesh ", seed),
                           EditedMesh(seed / 2, seed % 2 == 0)};
-    const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+    const auto mesh = BuildOrFail(named);
     Random random(seed);
     const std::vector<SurfacePoint> points = ManyPoints(named.soup, 8, random);
     const BruteForce brute_force(named.soup, points);
@@ -217,7 +216,7 @@ TEST(CurvesOnRandomMeshes, AgreeWithBruteForce) {
         {at[0], at[1], static_cast<uint32_t>(soup.positions.size() - 1)});
     const NamedMesh named{absl::StrCat("surface with a fin ", seed),
                           TurnFaces(soup, seed)};
-    const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+    const auto mesh = BuildOrFail(named);
     const std::vector<Source> point = {{RandomSurfacePoint(soup, random), 0.3}};
     Query query{.sources = point, .targets = ManyPoints(named.soup, 8, random)};
     std::vector<Source> curves;
@@ -250,7 +249,7 @@ TEST(StretchedMeshes, AgreeWithBruteForce) {
     for (Point& p : soup.positions) p[seed % 3 == 0] *= factor;
     const NamedMesh named{absl::StrCat("stretched mesh ", seed),
                           RotateAndShift(soup, seed)};
-    const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+    const auto mesh = BuildOrFail(named);
     constexpr uint64_t kMostWindows = 2'000'000;
     const BruteForce brute_force(named.soup, {}, {}, kMostWindows);
     if (!brute_force.is_complete()) continue;

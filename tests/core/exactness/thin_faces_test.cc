@@ -111,8 +111,7 @@ TEST(ThinFaces, SearchesFindWhatFieldsSay) {
     for (uint32_t v = 0; v < mesh->vertex_count(); ++v) {
       Query query = from;
       query.targets = {VertexPoint{v}};
-      const absl::StatusOr<TargetDistances> found =
-          search.Run(Valid(*mesh, query), nullptr, checkpoint);
+      const auto found = search.Run(Valid(*mesh, query), nullptr, checkpoint);
       ASSERT_TRUE(found.ok()) << found.status() << named.name;
       ExpectNear(field[v], found->distances[0],
                  absl::StrCat(named.name, ", vertex ", v));
@@ -199,8 +198,7 @@ TEST(ThinFaces, StripOfFourNeedles) {
     for (uint32_t to = 0; to < 6; ++to) {
       const Query query{.sources = {{VertexPoint{from}}},
                         .targets = {VertexPoint{to}}};
-      const absl::StatusOr<TargetDistances> found =
-          search.Run(Valid(*mesh, query), nullptr, checkpoint);
+      const auto found = search.Run(Valid(*mesh, query), nullptr, checkpoint);
       ASSERT_TRUE(found.ok()) << found.status();
       ExpectNear(expected[to], found->distances[0],
                  absl::StrCat(from, " to ", to));

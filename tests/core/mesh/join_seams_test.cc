@@ -20,7 +20,6 @@
 #include "geodesic/mesh_summary.h"
 #include "geodesic/path.h"
 #include "geodesic/read_mesh.h"
-#include "geodesic/settled_vertices.h"
 #include "geodesic/solve.h"
 #include "geodesic/surface_point.h"
 #include "geodesic/valid_query.h"
@@ -73,10 +72,9 @@ TEST(JoinSeamsTest, ASquareInTwoPieces) {
        .triangles = {{0, 1, 2}, {4, 3, 5}}});
   EXPECT_THAT(soup.reading.joined,
               ElementsAre(JoinedVertex{3, 1}, JoinedVertex{4, 2}));
-  const auto mesh = Mesh::Build(soup);
-  ASSERT_TRUE(mesh.ok()) << mesh.status();
-  EXPECT_EQ((*mesh)->triangle(1), (Triangle{2, 1, 5}));
-  EXPECT_EQ((*mesh)->NamedTriangle(1), (Triangle{4, 3, 5}));
+  const auto mesh = Mesh::Build(soup).value();
+  EXPECT_EQ(mesh->triangle(1), (Triangle{2, 1, 5}));
+  EXPECT_EQ(mesh->NamedTriangle(1), (Triangle{4, 3, 5}));
   EXPECT_EQ(soup.reading.seam_edges, 1u);
   EXPECT_THAT(soup.positions, SizeIs(6));
 }
@@ -95,15 +93,11 @@ TEST(JoinSeamsTest, ACubeInTwelvePiecesIsClosed) {
 
 TEST(JoinSeamsTest, MoreThanRoundingIsToldAndNotJoined) {
   // Two squares of side 1 with a gap of 0.001.
+  const std::vector<Point> squares = {{0, 0, 0}, {1, 0, 0},     {1, 1, 0},
+                                      {0, 1, 0}, {1.001, 0, 0}, {2, 0, 0},
+                                      {2, 1, 0}, {1.001, 1, 0}};
   const TriangleSoup apart = {
-      .positions = {{0, 0, 0},
-                    {1, 0, 0},
-                    {1, 1, 0},
-                    {0, 1, 0},
-                    {1.001, 0, 0},
-                    {2, 0, 0},
-                    {2, 1, 0},
-                    {1.001, 1, 0}},
+      .positions = squares,
       .triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}};
   EXPECT_THAT(Joined(apart).reading.joined, IsEmpty());
   const MeshSummary summary = SummaryOf(apart);
@@ -128,34 +122,22 @@ TEST(JoinSeamsTest, NothingIsJoinedIfNotWanted) {
 
 TEST(JoinSeamsTest, WhatTouchesInAPointOrCrossesStaysApart) {
   // Two triangles that touch in a point, and one that crosses the first.
-  const TriangleSoup soup =
-      Joined({.positions = {{0, 0, 0},
-                            {1, 0, 0},
-                            {0, 1, 0},
-                            {0, 0, 0},
-                            {-1, 0, 0},
-                            {0, -1, 0},
-                            {0.2, 0.2, -1},
-                            {0.2, 0.2, 1},
-                            {0.3, 0.1, 0}},
-              .triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}}});
+  const std::vector<Point> positions = {
+      {0, 0, 0},  {1, 0, 0},      {0, 1, 0},     {0, 0, 0},    {-1, 0, 0},
+      {0, -1, 0}, {0.2, 0.2, -1}, {0.2, 0.2, 1}, {0.3, 0.1, 0}};
+  const TriangleSoup soup = Joined(
+      {.positions = positions, .triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}}});
   EXPECT_TRUE(soup.reading.is_plain());
 }
 
 TEST(JoinSeamsTest, AnyNumberOfSheetsMeetsInASeam) {
   // Three triangles over the edge from (0, 0, 0) to (0, 0, 1), one of them
   // turned the other way.
-  const TriangleSoup soup =
-      Joined({.positions = {{0, 0, 0},
-                            {0, 0, 1},
-                            {1, 0, 0},
-                            {0, 0, 0},
-                            {0, 0, 1},
-                            {0, 1, 0},
-                            {0, 0, 1},
-                            {0, 0, 0},
-                            {-1, 0, 0}},
-              .triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}}});
+  const std::vector<Point> positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0},
+                                        {0, 0, 0}, {0, 0, 1}, {0, 1, 0},
+                                        {0, 0, 1}, {0, 0, 0}, {-1, 0, 0}};
+  const TriangleSoup soup = Joined(
+      {.positions = positions, .triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}}});
   EXPECT_EQ(soup.reading.seam_edges, 1u);
   EXPECT_EQ(SummaryOf(soup).non_manifold_edges, 1u);
 }
@@ -165,15 +147,10 @@ TEST(JoinSeamsTest, AnyNumberOfSheetsMeetsInASeam) {
 // them leads from rim to rim.
 TEST(JoinSeamsTest, TwoSidedSheetsMeetAtTheRim) {
   // A unit square, each side cut along the same diagonal.
+  const std::vector<Point> twice = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                    {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   const TriangleSoup leaf =
-      Joined({.positions = {{0, 0, 0},
-                            {1, 0, 0},
-                            {1, 1, 0},
-                            {0, 1, 0},
-                            {0, 0, 0},
-                            {1, 0, 0},
-                            {1, 1, 0},
-                            {0, 1, 0}},
+      Joined({.positions = twice,
               .triangles = {{0, 1, 2}, {0, 2, 3}, {6, 5, 4}, {7, 6, 4}}});
   const MeshSummary summary = SummaryOf(leaf);
   EXPECT_EQ(summary.seam_edges, 4u);
@@ -181,33 +158,27 @@ TEST(JoinSeamsTest, TwoSidedSheetsMeetAtTheRim) {
   EXPECT_EQ(summary.boundary_edges, 0u);
   EXPECT_EQ(summary.non_manifold_edges, 0u);
   EXPECT_EQ(summary.genus, 0);
-  const auto mesh = Mesh::Build(leaf);
-  ASSERT_TRUE(mesh.ok()) << mesh.status();
+  const auto mesh = Mesh::Build(leaf).value();
   // From (0.65, 0.4) to the same place behind: over the rim, 0.35 away. The
   // diagonal is nearer.
   for (const AlgorithmInfo& info : kAlgorithms) {
     const auto field =
-        Solve(**mesh, {.sources = {{FacePoint{0, {0.35, 0.25, 0.4}}}},
-                       .targets = {FacePoint{2, {0.4, 0.25, 0.35}}},
-                       .algorithm = info.algorithm});
-    ASSERT_TRUE(field.ok()) << field.status();
-    EXPECT_NEAR(field->target_distances[0], 0.7, 1e-14) << info.name;
+        Solve(*mesh, {.sources = {{FacePoint{0, {0.35, 0.25, 0.4}}}},
+                      .targets = {FacePoint{2, {0.4, 0.25, 0.35}}},
+                      .algorithm = info.algorithm})
+            .value();
+    EXPECT_NEAR(field.target_distances[0], 0.7, 1e-14) << info.name;
   }
 }
 
 // A sheet with a bump on a flat one, both cut along one diagonal: faces of the
 // same corners are not the same, whichever comes first and however they turn.
 TEST(JoinSeamsTest, SheetsOfTheSameCornersAreTwo) {
+  const std::vector<Point> sheets = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0},
+                                     {0, 1, 0}, {0, 0, 0}, {1, 0, 0},
+                                     {1, 1, 0}, {0, 1, 0}, {0.3, 0.3, 0.2}};
   const TriangleSoup soup = {
-      .positions = {{0, 0, 0},
-                    {1, 0, 0},
-                    {1, 1, 0},
-                    {0, 1, 0},
-                    {0, 0, 0},
-                    {1, 0, 0},
-                    {1, 1, 0},
-                    {0, 1, 0},
-                    {0.3, 0.3, 0.2}},
+      .positions = sheets,
       .triangles = {
           {0, 1, 3}, {1, 2, 3}, {4, 5, 8}, {5, 7, 8}, {7, 4, 8}, {5, 6, 7}}};
   // Straight over the middle of the upper diagonal, and in the plane.
@@ -222,14 +193,13 @@ TEST(JoinSeamsTest, SheetsOfTheSameCornersAreTwo) {
       }
       std::rotate(other.triangles.begin(), other.triangles.begin() + first,
                   other.triangles.end());
-      const auto mesh = Mesh::Build(Joined(std::move(other)));
-      ASSERT_TRUE(mesh.ok()) << mesh.status();
+      const auto mesh = Mesh::Build(Joined(std::move(other))).value();
       for (const AlgorithmInfo& info : kAlgorithms) {
-        const auto field = Solve(**mesh, {.sources = {{VertexPoint{2}}},
-                                          .algorithm = info.algorithm});
-        ASSERT_TRUE(field.ok()) << field.status();
-        EXPECT_NEAR(field->distances[8], over, 1e-14) << info.name;
-        EXPECT_NEAR(field->distances[0], std::numbers::sqrt2, 1e-14);
+        const auto field = Solve(*mesh, {.sources = {{VertexPoint{2}}},
+                                         .algorithm = info.algorithm})
+                               .value();
+        EXPECT_NEAR(field.distances[8], over, 1e-14) << info.name;
+        EXPECT_NEAR(field.distances[0], std::numbers::sqrt2, 1e-14);
       }
     }
   }
@@ -244,23 +214,22 @@ TEST(JoinSeamsTest, PathsGoOnBehindFacesOfTheSameCorners) {
       .positions = square,
       .triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}};
   soup.positions.insert(soup.positions.end(), square.begin(), square.end());
-  const auto mesh = Mesh::Build(Joined(std::move(soup)));
-  ASSERT_TRUE(mesh.ok()) << mesh.status();
+  const auto mesh = Mesh::Build(Joined(std::move(soup))).value();
   // From (0.8, 0.2) behind to (1, 1), (0, 1), all straight in the plane.
   for (const AlgorithmInfo& info : kAlgorithms) {
     const auto field =
-        Solve(**mesh, {.sources = {{FacePoint{2, {0.2, 0.6, 0.2}}}},
-                       .targets = {FacePoint{3, {0.2, 0.2, 0.6}},
-                                   FacePoint{0, {0.2, 0.6, 0.2}},
-                                   FacePoint{1, {0.2, 0.2, 0.6}}},
-                       .algorithm = info.algorithm});
-    ASSERT_TRUE(field.ok()) << field.status();
-    EXPECT_NEAR(field->distances[3], std::hypot(0.8, 0.8), 1e-14) << info.name;
-    EXPECT_NEAR(field->target_distances[0], std::hypot(0.6, 0.6), 1e-14);
+        Solve(*mesh, {.sources = {{FacePoint{2, {0.2, 0.6, 0.2}}}},
+                      .targets = {FacePoint{3, {0.2, 0.2, 0.6}},
+                                  FacePoint{0, {0.2, 0.6, 0.2}},
+                                  FacePoint{1, {0.2, 0.2, 0.6}}},
+                      .algorithm = info.algorithm})
+            .value();
+    EXPECT_NEAR(field.distances[3], std::hypot(0.8, 0.8), 1e-14) << info.name;
+    EXPECT_NEAR(field.target_distances[0], std::hypot(0.6, 0.6), 1e-14);
     // In front: over the rim, 0.2 away; the other half 0.2 from (0, 1).
-    EXPECT_NEAR(field->target_distances[1], 0.4, 1e-14) << info.name;
+    EXPECT_NEAR(field.target_distances[1], 0.4, 1e-14) << info.name;
     // Unfolded over the side below, or the one to the right.
-    EXPECT_NEAR(field->target_distances[2], std::hypot(0.6, 1.0), 1e-14);
+    EXPECT_NEAR(field.target_distances[2], std::hypot(0.6, 1.0), 1e-14);
   }
 }
 
@@ -278,12 +247,11 @@ void ExpectGridsMeetAtTheRim(bool is_turned) {
                                  ? Triangle{c + count, b + count, a + count}
                                  : Triangle{a + count, b + count, c + count});
   }
-  const auto mesh = Mesh::Build(Joined(std::move(soup)));
-  ASSERT_TRUE(mesh.ok()) << mesh.status();
-  EXPECT_EQ(Summarize(**mesh).non_manifold_edges, 0u);
+  const auto mesh = Mesh::Build(Joined(std::move(soup))).value();
+  EXPECT_EQ(Summarize(*mesh).non_manifold_edges, 0u);
   for (uint32_t source = 0; source < count; ++source) {
-    const auto field = Solve(**mesh, {.sources = {{VertexPoint{source}}}});
-    ASSERT_TRUE(field.ok()) << field.status();
+    const auto field =
+        Solve(*mesh, {.sources = {{VertexPoint{source}}}}).value();
     for (uint32_t v = 0; v < count; ++v) {
       // Unfolded over one of the sides.
       const Point& from = front[source];
@@ -298,7 +266,7 @@ void ExpectGridsMeetAtTheRim(bool is_turned) {
             std::min({expected, std::hypot(from[axis] + to[axis], along),
                       std::hypot(2 * high - from[axis] - to[axis], along)});
       }
-      EXPECT_NEAR(field->distances[count + v], expected, 1e-13)
+      EXPECT_NEAR(field.distances[count + v], expected, 1e-13)
           << source << " to behind " << v;
     }
   }
@@ -311,41 +279,29 @@ TEST(JoinSeamsTest, TwoSidedGridsMeetAtTheRim) {
 
 // A triangle without extent at a corner of a square in two pieces.
 TEST(JoinSeamsTest, AFaceWithoutExtentIsPartOfItsPlace) {
-  const TriangleSoup soup =
-      Joined({.positions = {{0, 0, 0},
-                            {1, 0, 0},
-                            {1, 1, 0},
-                            {0, 0, 0},
-                            {1, 1, 0},
-                            {0, 1, 0},
-                            {1, 1, 0},
-                            {1, 1, 0},
-                            {1, 1, 0}},
-              .triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}}});
-  const auto mesh = Mesh::Build(soup);
-  ASSERT_TRUE(mesh.ok()) << mesh.status();
+  const std::vector<Point> positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0},
+                                        {0, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                        {1, 1, 0}, {1, 1, 0}, {1, 1, 0}};
+  const TriangleSoup soup = Joined(
+      {.positions = positions, .triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}}});
+  const auto mesh = Mesh::Build(soup).value();
   EXPECT_THAT(
-      Notes(Summarize(**mesh)),
+      Notes(Summarize(*mesh)),
       ElementsAre("joined 1 seam edge",
                   "left out 1 triangle, where a vertex is named twice"));
-  const auto field = Solve(**mesh, {.sources = {{VertexPoint{0}}}});
-  ASSERT_TRUE(field.ok()) << field.status();
+  const auto field = Solve(*mesh, {.sources = {{VertexPoint{0}}}}).value();
   for (const uint32_t v : {2, 4, 6, 7, 8}) {
-    EXPECT_NEAR(field->distances[v], std::numbers::sqrt2, 1e-15) << v;
+    EXPECT_NEAR(field.distances[v], std::numbers::sqrt2, 1e-15) << v;
   }
 }
 
 TEST(JoinSeamsTest, SidesWithoutLengthJoinNoPieces) {
   // Two triangles that touch in a point, written as quadrilaterals.
+  const std::vector<Point> positions = {{0, 0, 0},   {0, 0, 0}, {1, 1, 0},
+                                        {1, -1, 0},  {0, 0, 0}, {0, 0, 0},
+                                        {-1, -1, 0}, {-1, 1, 0}};
   const TriangleSoup soup =
-      Joined({.positions = {{0, 0, 0},
-                            {0, 0, 0},
-                            {1, 1, 0},
-                            {1, -1, 0},
-                            {0, 0, 0},
-                            {0, 0, 0},
-                            {-1, -1, 0},
-                            {-1, 1, 0}},
+      Joined({.positions = positions,
               .triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}});
   EXPECT_THAT(soup.reading.joined,
               ElementsAre(JoinedVertex{1, 0}, JoinedVertex{5, 4}));
@@ -479,79 +435,61 @@ TEST_F(JoinedAnswers, PathsAndIsolinesAreOnEdgesOfTheFile) {
     const auto query = ValidQuery::Make({.sources = {{VertexPoint{source}}},
                                          .targets = {EdgePoint{33, 34, 0.25}},
                                          .trace = true},
-                                        *mesh_);
-    ASSERT_TRUE(query.ok()) << query.status();
+                                        *mesh_)
+                           .value();
     NoCheckpoint checkpoint;
-    const auto field = Solve(*mesh_, *query, {}, checkpoint);
-    ASSERT_TRUE(field.ok()) << field.status();
-    const auto tracer = PathTracer::Create(*mesh_, *query, *field);
-    ASSERT_TRUE(tracer.ok()) << tracer.status();
+    const auto field = Solve(*mesh_, query, {}, checkpoint).value();
+    const auto tracer = PathTracer::Create(*mesh_, query, field).value();
     for (uint32_t target = 0; target < mesh_->vertex_count(); ++target) {
-      const auto path = tracer->ToVertex(target);
-      ASSERT_TRUE(path.ok()) << path.status();
-      ExpectOnNamedEdges(*mesh_, path->points);
-      EXPECT_NEAR(path->length, field->distances[target], 1e-14);
+      const auto path = tracer.ToVertex(target).value();
+      ExpectOnNamedEdges(*mesh_, path.points);
+      EXPECT_NEAR(path.length, field.distances[target], 1e-14);
     }
-    const auto path = tracer->ToTarget(0);
-    ASSERT_TRUE(path.ok()) << path.status();
-    ExpectOnNamedEdges(*mesh_, path->points);
+    const auto path = tracer.ToTarget(0).value();
+    ExpectOnNamedEdges(*mesh_, path.points);
     const auto isolines =
-        ComputeIsolines(*mesh_, query->DistancesAlone(),
-                        {.levels = {0.5, 1.2, 2.1, 3}}, {}, checkpoint);
-    ASSERT_TRUE(isolines.ok()) << isolines.status();
-    ASSERT_FALSE(isolines->empty());
-    for (const Isoline& line : *isolines) {
+        ComputeIsolines(*mesh_, query.DistancesAlone(),
+                        {.levels = {0.5, 1.2, 2.1, 3}}, {}, checkpoint)
+            .value();
+    ASSERT_FALSE(isolines.empty());
+    for (const Isoline& line : isolines) {
       ExpectOnNamedEdges(*mesh_, line.points);
     }
   }
 }
 
 TEST_F(JoinedAnswers, EachVertexSettlesOnce) {
-  class Collector final : public Checkpoint {
-   public:
-    explicit Collector(const Mesh& mesh) : settled_(mesh) {}
-    absl::Status Poll(const Progress& progress) override {
-      for (const SettledVertex& v : settled_.Collect(progress)) {
-        found.push_back(v.vertex);
-      }
-      return absl::OkStatus();
-    }
-    std::vector<uint32_t> found;
-
-   private:
-    SettledVertices settled_;
-  };
-  Collector collector(*mesh_);
+  test::SettledCheckpoint checkpoint(*mesh_);
   ASSERT_TRUE(
-      Solve(*mesh_, Query{.sources = {{VertexPoint{7}}}}, {}, collector).ok());
-  std::sort(collector.found.begin(), collector.found.end());
-  std::vector<uint32_t> all(mesh_->vertex_count());
-  for (uint32_t v = 0; v < all.size(); ++v) all[v] = v;
-  EXPECT_EQ(collector.found, all);
+      Solve(*mesh_, Query{.sources = {{VertexPoint{7}}}}, {}, checkpoint).ok());
+  std::vector<bool> settled(mesh_->vertex_count());
+  for (const auto& v : checkpoint.settled) settled[v.vertex] = true;
+  EXPECT_THAT(settled, testing::Each(true));
+  EXPECT_THAT(checkpoint.settled, SizeIs(mesh_->vertex_count()));
 }
 
 TEST(LeftOutFacesTest, KeepTheirNumbersAndTakeNoPart) {
   // A unit square; face 1 names vertex 2 twice.
   const auto mesh =
       Mesh::Build({.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
-                   .triangles = {{0, 1, 2}, {2, 2, 3}, {0, 2, 3}}});
-  ASSERT_TRUE(mesh.ok()) << mesh.status();
-  EXPECT_EQ((*mesh)->face_count(), 3u);
-  EXPECT_TRUE((*mesh)->IsLeftOut(1));
-  EXPECT_EQ((*mesh)->triangle(2), (Triangle{0, 2, 3}));
-  const MeshSummary summary = Summarize(**mesh);
+                   .triangles = {{0, 1, 2}, {2, 2, 3}, {0, 2, 3}}})
+          .value();
+  EXPECT_EQ(mesh->face_count(), 3u);
+  EXPECT_TRUE(mesh->IsLeftOut(1));
+  EXPECT_EQ(mesh->triangle(2), (Triangle{0, 2, 3}));
+  const MeshSummary summary = Summarize(*mesh);
   EXPECT_EQ(summary.left_out_faces, 1u);
   EXPECT_EQ(summary.boundary_edges, 4u);
   EXPECT_EQ(summary.genus, 0);
   EXPECT_THAT(
       Notes(summary),
       ElementsAre("left out 1 triangle, where a vertex is named twice"));
-  const auto field = Solve(**mesh, {.sources = {{VertexPoint{1}}},
-                                    .targets = {FacePoint{2, {0, 0, 1}}}});
-  ASSERT_TRUE(field.ok()) << field.status();
-  EXPECT_NEAR(field->distances[3], std::numbers::sqrt2, 1e-15);
+  const auto field = Solve(*mesh, {.sources = {{VertexPoint{1}}},
+                                   .targets = {FacePoint{2, {0, 0, 1}}}})
+                         .value();
+  EXPECT_NEAR(field.distances[3], std::numbers::sqrt2, 1e-15);
   const auto refused =
-      Solve(**mesh, {.sources = {{FacePoint{1, {0.5, 0.25, 0.25}}}}});
+      Solve(*mesh, {.sources = {{FacePoint{1, {0.5, 0.25, 0.25}}}}});
   EXPECT_EQ(
       refused.status().message(),
       "sources[0].face.face 1 names a vertex twice, so that it is no part "

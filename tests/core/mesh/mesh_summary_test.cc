@@ -46,17 +46,11 @@ TEST(MeshSummaryTest, GridWithAHole) {
 
 TEST(MeshSummaryTest, PiecesPinchesAndIsolatedVertices) {
   // Two triangles that touch in vertex 0, a third apart, one vertex unused.
-  const MeshSummary summary =
-      SummaryOf({.positions = {{0, 0, 0},
-                               {1, 0, 0},
-                               {0, 1, 0},
-                               {-1, 0, 0},
-                               {0, -1, 0},
-                               {5, 0, 0},
-                               {6, 0, 0},
-                               {5, 1, 0},
-                               {9, 9, 9}},
-                 .triangles = {{0, 1, 2}, {0, 3, 4}, {5, 6, 7}}});
+  const std::vector<Point> positions = {{0, 0, 0},  {1, 0, 0},  {0, 1, 0},
+                                        {-1, 0, 0}, {0, -1, 0}, {5, 0, 0},
+                                        {6, 0, 0},  {5, 1, 0},  {9, 9, 9}};
+  const MeshSummary summary = SummaryOf(
+      {.positions = positions, .triangles = {{0, 1, 2}, {0, 3, 4}, {5, 6, 7}}});
   EXPECT_EQ(summary.components, 2u);
   EXPECT_EQ(summary.isolated_vertices, 1u);
   EXPECT_EQ(summary.boundary_loops, 3u);

@@ -33,13 +33,10 @@ MeshSummary Told(TriangleSoup soup) {
 
 // A long edge below, from 0 to 2 along x, and two halves of it above.
 TriangleSoup CornerInsideAnEdge(double size) {
-  TriangleSoup soup{.positions = {{0, 0, 0},
-                                  {2, 0, 0},
-                                  {1, -1, 0},
-                                  {0, 0, 0},
-                                  {1, 0, 0},
-                                  {1, 1, 0},
-                                  {2, 0, 0}},
+  const std::vector<Point> positions = {{0, 0, 0}, {2, 0, 0}, {1, -1, 0},
+                                        {0, 0, 0}, {1, 0, 0}, {1, 1, 0},
+                                        {2, 0, 0}};
+  TriangleSoup soup{.positions = positions,
                     .triangles = {{0, 2, 1}, {3, 4, 5}, {4, 6, 5}}};
   for (Point& point : soup.positions) {
     for (double& x : point) x *= size;
@@ -83,13 +80,9 @@ TEST(TouchingEdgesTest, EdgesOfDifferentLengths) {
 
 TEST(TouchingEdgesTest, EdgesThatArePushedAlongEachOther) {
   // From 0 to 2 below, from 0.5 to 2.5 above: each lies along the other.
-  EXPECT_EQ(Told({.positions = {{0, 0, 0},
-                                {2, 0, 0},
-                                {1, -1, 0},
-                                {0.5, 0, 0},
-                                {2.5, 0, 0},
-                                {1, 1, 0}},
-                  .triangles = {{0, 2, 1}, {3, 4, 5}}})
+  const std::vector<Point> positions = {{0, 0, 0},   {2, 0, 0},   {1, -1, 0},
+                                        {0.5, 0, 0}, {2.5, 0, 0}, {1, 1, 0}};
+  EXPECT_EQ(Told({.positions = positions, .triangles = {{0, 2, 1}, {3, 4, 5}}})
                 .touching_edges,
             2u);
 }
@@ -116,20 +109,23 @@ TEST(TouchingEdgesTest, BricksAreToldWhateverTheirShift) {
 
 TEST(TouchingEdgesTest, AWallOnAnEdgeInsideAFloor) {
   // Its foot repeats the ends of the floor's diagonal.
-  const MeshSummary summary =
-      Told({.positions = {{0, 0, 0},
-                          {1, 0, 0},
-                          {1, 1, 0},
-                          {0, 1, 0},
-                          {0, 0, 0},
-                          {1, 1, 0},
-                          {0, 0, 1}},
-            .triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}}});
+  const std::vector<Point> positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0},
+                                        {0, 1, 0}, {0, 0, 0}, {1, 1, 0},
+                                        {0, 0, 1}};
+  const MeshSummary summary = Told(
+      {.positions = positions, .triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}}});
   EXPECT_EQ(summary.touching_edges, 1u);
   EXPECT_EQ(summary.seam_edges, 0u);
 }
 
 TEST(TouchingEdgesTest, NothingElseIsTold) {
+  const std::vector<Point> crossing = {{0, 0, 0},  {2, 0, 0}, {1, -1, 0},
+                                       {1, -1, 0}, {1, 1, 0}, {1, 0, 1}};
+  const std::vector<Point> behind = {{0, 0, 0},   {1, 0, 0}, {0, -1, 0},
+                                     {1.5, 0, 0}, {3, 0, 0}, {2, 1, 0}};
+  const std::vector<Point> sheared = {{0, 0, 0},      {1, 0, 0},
+                                      {2, 0, 0},      {3.7, 0.03, 0},
+                                      {4.7, 0.03, 0}, {5.7, 0.03, 0}};
   const std::vector<std::pair<std::string, TriangleSoup>> meshes = {
       {"a grid", test::MakeGrid({.jitter = 0.2})},
       {"sides that touch in a corner",
@@ -137,21 +133,9 @@ TEST(TouchingEdgesTest, NothingElseIsTold) {
             {{0, 0, 0}, {2, 0, 0}, {1, -1, 0}, {1, 0, 0}, {2, 1, 0}, {0, 1, 0}},
         .triangles = {{0, 2, 1}, {3, 4, 5}}}},
       {"edges that cross",
-       {.positions = {{0, 0, 0},
-                      {2, 0, 0},
-                      {1, -1, 0},
-                      {1, -1, 0},
-                      {1, 1, 0},
-                      {1, 0, 1}},
-        .triangles = {{0, 2, 1}, {3, 4, 5}}}},
+       {.positions = crossing, .triangles = {{0, 2, 1}, {3, 4, 5}}}},
       {"edges one behind the other",
-       {.positions = {{0, 0, 0},
-                      {1, 0, 0},
-                      {0, -1, 0},
-                      {1.5, 0, 0},
-                      {3, 0, 0},
-                      {2, 1, 0}},
-        .triangles = {{0, 2, 1}, {3, 4, 5}}}},
+       {.positions = behind, .triangles = {{0, 2, 1}, {3, 4, 5}}}},
       {"the sides of a needle",
        {.positions = {{0, 0, 0}, {100, 0, 0}, {50, 1e-3, 0}},
         .triangles = {{0, 1, 2}}}},
@@ -159,12 +143,7 @@ TEST(TouchingEdgesTest, NothingElseIsTold) {
        {.positions = {{0, 0, 0}, {100, 0, 0}, {150, 1, 0}, {50, 1, 0}},
         .triangles = {{0, 1, 3}, {1, 2, 3}}}},
       {"a sheared grid",
-       {.positions = {{0, 0, 0},
-                      {1, 0, 0},
-                      {2, 0, 0},
-                      {3.7, 0.03, 0},
-                      {4.7, 0.03, 0},
-                      {5.7, 0.03, 0}},
+       {.positions = sheared,
         .triangles = {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}}},
       {"two sheets that open in a corner",
        {.positions =

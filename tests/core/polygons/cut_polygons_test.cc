@@ -19,6 +19,7 @@
 #include "geodesic/polygons.h"
 #include "geodesic/triangle_soup.h"
 #include "tests/core/polygons/drawings.h"
+#include "tests/support/checkpoints.h"
 #include "tests/support/random.h"
 #include "tests/support/vec.h"
 
@@ -406,38 +407,24 @@ TEST(CutPolygonsTest, NoNumberIsTooLarge) {
   }
 }
 
-// Stops at its n-th poll.
-class Stopper final : public Checkpoint {
- public:
-  explicit Stopper(int polls) : polls_(polls) {}
-  absl::Status Poll(const Progress&) override {
-    return polls_-- > 0 ? absl::OkStatus() : absl::CancelledError("stopped");
-  }
-  int polls() const { return polls_; }
-
- private:
-  int polls_;
-};
-
 TEST(CutPolygonsTest, TheCheckpointStopsIt) {
   Random random(11);
   const Drawing star = test::Star(2'000, random);
   const std::vector<Point> positions = PlacedIn({}, star);
   const int64_t size = static_cast<int64_t>(star.corners.size());
-  constexpr int kMany = 1'000'000;
-  Stopper counts(kMany);
+  test::RecordingCheckpoint counts;
   ASSERT_TRUE(
       TriangulatePolygons(positions, star.corners, {&size, 1}, &counts).ok());
-  const int polls = kMany - counts.polls();
+  const size_t polls = counts.polls().size();
   // More often than for each stage of the work.
   EXPECT_GT(polls, 20);
-  for (int poll = 0; poll < polls; poll += 1 + polls / 20) {
-    Stopper stopper(poll);
+  for (size_t poll = 0; poll < polls; poll += 1 + polls / 20) {
+    test::RecordingCheckpoint stopper(poll);
     EXPECT_TRUE(absl::IsCancelled(
         TriangulatePolygons(positions, star.corners, {&size, 1}, &stopper)
             .status()))
         << poll;
-    EXPECT_EQ(stopper.polls(), -1) << "asked again";
+    EXPECT_EQ(stopper.polls().size(), poll + 1) << "asked again";
   }
 }
 

@@ -110,21 +110,17 @@ TEST(BadFaces, PathsAreAsLongAsDistances) {
 // Of no length at all, between copies of a vertex that faces without area part;
 // and where windows come round a ring of such faces, by rounding nearer.
 TEST(BadFaces, PathsAcrossFacesOnOneLine) {
-  const TriangleSoup copies = {{{0.5625, 1, 0.1875},
-                                {0.75, 1, 0.25},
-                                {0.515625, 1, 0.171875},
-                                {0, 1, 0},
-                                {2, 1, 2},
-                                {0.5625, 1, 0.1875}},
+  const std::vector<Point> of_copies = {
+      {0.5625, 1, 0.1875}, {0.75, 1, 0.25}, {0.515625, 1, 0.171875},
+      {0, 1, 0},           {2, 1, 2},       {0.5625, 1, 0.1875}};
+  const TriangleSoup copies = {of_copies,
                                {{0, 1, 2}, {1, 3, 2}, {1, 2, 4}, {3, 1, 5}}};
+  const std::vector<Point> of_ring = {
+      {1, 1, 1}, {1, 1.25, 1.25}, {1, 2, 2},
+      {1, 2, 2}, {1, 1.75, 1.75}, {1, 1.1626309010264877, 1.1626309010264877},
+      {1, 2, 2}};
   const TriangleSoup ring = {
-      {{1, 1, 1},
-       {1, 1.25, 1.25},
-       {1, 2, 2},
-       {1, 2, 2},
-       {1, 1.75, 1.75},
-       {1, 1.1626309010264877, 1.1626309010264877},
-       {1, 2, 2}},
+      of_ring,
       {{0, 1, 2}, {3, 0, 4}, {5, 0, 2}, {3, 6, 0}, {0, 6, 4}, {0, 6, 1}}};
   for (const NamedMesh& named :
        std::vector<NamedMesh>{{"copies", copies}, {"ring", ring}}) {

@@ -19,6 +19,7 @@
 #include "tests/support/meshes/curved_meshes.h"
 #include "tests/support/meshes/mesh_edits.h"
 #include "tests/support/meshes/planar_meshes.h"
+#include "tests/support/meshes/polyhedra.h"
 #include "tests/support/oracles/planar_oracles.h"
 #include "tests/support/random.h"
 #include "tests/support/surface_points.h"
@@ -36,29 +37,8 @@ TriangleSoup LargeTriangle() {
 TriangleSoup Square() {
   return {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
 }
-// Of side 2, from the origin.
-TriangleSoup Cube() {
-  return {{{0, 0, 0},
-           {0, 0, 2},
-           {0, 2, 0},
-           {0, 2, 2},
-           {2, 0, 0},
-           {2, 0, 2},
-           {2, 2, 0},
-           {2, 2, 2}},
-          {{0, 2, 6},
-           {0, 6, 4},
-           {1, 5, 7},
-           {1, 7, 3},
-           {0, 4, 5},
-           {0, 5, 1},
-           {4, 6, 7},
-           {4, 7, 5},
-           {6, 2, 3},
-           {6, 3, 7},
-           {2, 0, 1},
-           {2, 1, 3}}};
-}
+// Of side 2.
+TriangleSoup Cube() { return Triangulate(Box(2, 2, 2)); }
 
 // Sources in the plane, each a point or a polyline.
 using Drawing = std::vector<PlanarCurve>;
@@ -85,13 +65,6 @@ double DistanceTo(const Drawing& drawing, const Point& p) {
                                 : test::DistanceTo(two, p));
   }
   return least;
-}
-
-double Length(const Isoline& isoline) {
-  const std::vector<Point>& p = isoline.positions;
-  Real length = isoline.is_closed ? Distance(p.back(), p.front()) : 0;
-  for (size_t i = 1; i < p.size(); ++i) length += Distance(p[i - 1], p[i]);
-  return static_cast<double>(length);
 }
 
 struct Count {
@@ -167,8 +140,9 @@ TEST(IsolineArcs, RunAlongACurveThroughTwoFaces) {
 
 TEST(IsolineArcs, AreCirclesAroundPointsOfEdgesAndFaces) {
   const auto cube = BuildOrFail({"cube", Cube()});
+  const auto& [from, beside, to] = cube->triangle(0);  // half of a side
   for (const SurfacePoint& source :
-       {SurfacePoint{EdgePoint{1, 7, 0.5}},
+       {SurfacePoint{EdgePoint{from, to, 0.5}},
         SurfacePoint{FacePoint{2, {0.3, 0.4, 0.3}}}}) {
     const auto lines =
         IsolinesOrFail(*cube, Query{.sources = {{source}}}, {0.5});
@@ -238,21 +212,6 @@ TEST(IsolineArcs, MeetInsideAFace) {
   Draw(LargeTriangle(), mixed, 0.3501, {.open = 1});
 }
 
-// A triangle of sides 3, 4 and 5, halved: its inscribed circle has the
-// radius 1/2.
-// Of all lines together.
-double LengthOf(const std::vector<Isoline>& lines) {
-  double length = 0;
-  for (const Isoline& line : lines) {
-    const std::vector<Point>& at = line.positions;
-    for (size_t i = 1; i < at.size(); ++i) {
-      length += Distance(at[i - 1], at[i]);
-    }
-    if (line.is_closed) length += Distance(at.back(), at.front());
-  }
-  return length;
-}
-
 TEST(IsolineArcs, AroundTheEndOfACurveAcrossAnEdge) {
   // From a corner of a square to the middle of the diagonal: two sides, and
   // half a circle beyond the diagonal, whatever rounding makes of the right
@@ -262,11 +221,10 @@ TEST(IsolineArcs, AroundTheEndOfACurveAcrossAnEdge) {
     for (Point& point : soup.positions) {
       for (double& x : point) x *= side;
     }
-    const auto mesh = Mesh::Build(soup);
-    ASSERT_TRUE(mesh.ok());
+    const auto mesh = Mesh::Build(soup).value();
     const Curve curve{{VertexPoint{1}, EdgePoint{0, 2, 0.5}}};
-    EXPECT_NEAR(LengthOf(IsolinesOrFail(**mesh, {.sources = {{curve}}},
-                                        {0.1 * side}, 1e-6)) /
+    EXPECT_NEAR(Length(IsolinesOrFail(*mesh, {.sources = {{curve}}},
+                                      {0.1 * side}, 1e-6)) /
                     side,
                 2 * (std::sqrt(0.5) - 0.1) + 0.1 * kPi, 1e-4)
         << side;
@@ -274,32 +232,26 @@ TEST(IsolineArcs, AroundTheEndOfACurveAcrossAnEdge) {
 }
 
 TEST(IsolineArcs, ThroughAVertexAndBackThere) {
-  // A tetrahedron; vertex 3 is at 2 sqrt 2 from vertex 0.
-  const auto mesh =
-      Mesh::Build({{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
-                   {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}});
-  ASSERT_TRUE(mesh.ok());
+  // Vertex 3 is at 2 sqrt 2 from vertex 0.
+  const auto mesh = BuildOrFail({"tetrahedron", Triangulate(Tetrahedron())});
   const Query query{
       .sources = {{FacePoint{0, {0.25, 0.5, 0.25}}}, {VertexPoint{0}}}};
   double level = std::sqrt(8.0) * (1 - 2e-15);
   for (int ulp = 0; ulp < 12; ++ulp, level = std::nextafter(level, 3.0)) {
-    EXPECT_NEAR(LengthOf(IsolinesOrFail(**mesh, query, {level})), 0.53535, 1e-3)
+    EXPECT_NEAR(Length(IsolinesOrFail(*mesh, query, {level})), 0.53535, 1e-3)
         << level;
   }
 }
 
-// A regular tetrahedron of edge 2 sqrt 2. Around the vertex, the line of this
+// Around the vertex of the tetrahedron, the line of this
 // level runs in one face from the vertex that is farthest and back there.
 TEST(IsolineArcs, AroundAFaceFromAVertexWithAnyChordError) {
-  const auto mesh =
-      Mesh::Build({{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
-                   {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}});
-  ASSERT_TRUE(mesh.ok());
+  const auto mesh = BuildOrFail({"tetrahedron", Triangulate(Tetrahedron())});
   const Query query{.sources = {{FacePoint{3, {0.75, 0.05, 0.2}}}}};
-  const double level = Solve(**mesh, query)->distances[0];
+  const double level = Solve(*mesh, query)->distances[0];
   ASSERT_NEAR(level, 2.68700576850888, 1e-12);
   for (const double chord_error : {kInfinity, 1.2, 1.0, 0.1, 0.0}) {
-    const auto lines = IsolinesOrFail(**mesh, query, {level}, chord_error);
+    const auto lines = IsolinesOrFail(*mesh, query, {level}, chord_error);
     ASSERT_EQ(lines.size(), 1) << chord_error;
     EXPECT_TRUE(lines[0].is_closed);
     EXPECT_GE(lines[0].positions.size(), 3);
@@ -329,11 +281,10 @@ TEST(IsolineArcs, KeepTheEndsOfThinLoops) {
 
 TEST(IsolineArcs, TouchInAPoint) {
   // Two quarters of circles that touch in the middle of a side.
-  const auto mesh = Mesh::Build(Square());
-  ASSERT_TRUE(mesh.ok());
+  const auto mesh = Mesh::Build(Square()).value();
   for (const double level : {0.5, 0.5 + 1e-14, 0.5 - 1e-14, 0.5 - 1e-13}) {
-    EXPECT_NEAR(LengthOf(IsolinesOrFail(
-                    **mesh, {.sources = {{VertexPoint{0}}, {VertexPoint{1}}}},
+    EXPECT_NEAR(Length(IsolinesOrFail(
+                    *mesh, {.sources = {{VertexPoint{0}}, {VertexPoint{1}}}},
                     {level}, 1e-6)),
                 kPi / 2, 1e-4)
         << level;
@@ -341,48 +292,39 @@ TEST(IsolineArcs, TouchInAPoint) {
   // Around a square tube of side 1 and height 3 a circle of radius 2 touches
   // itself behind its center, which is in the middle of a slanted edge: in the
   // plane, what lies within 2 to either side.
-  const auto tube = Mesh::Build({{{0, 0, 0},
-                                  {1, 0, 0},
-                                  {1, 1, 0},
-                                  {0, 1, 0},
-                                  {0, 0, 3},
-                                  {1, 0, 3},
-                                  {1, 1, 3},
-                                  {0, 1, 3}},
-                                 {{0, 1, 5},
-                                  {0, 5, 4},
-                                  {1, 2, 6},
-                                  {1, 6, 5},
-                                  {2, 3, 7},
-                                  {2, 7, 6},
-                                  {3, 0, 4},
-                                  {3, 4, 7}}});
-  ASSERT_TRUE(tube.ok());
-  EXPECT_NEAR(LengthOf(IsolinesOrFail(
-                  **tube, {.sources = {{EdgePoint{0, 5, 0.5}}}}, {2}, 1e-6)),
+  const std::vector<Point> positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0},
+                                        {0, 1, 0}, {0, 0, 3}, {1, 0, 3},
+                                        {1, 1, 3}, {0, 1, 3}};
+  const std::vector<Triangle> faces = {{0, 1, 5}, {0, 5, 4}, {1, 2, 6},
+                                       {1, 6, 5}, {2, 3, 7}, {2, 7, 6},
+                                       {3, 0, 4}, {3, 4, 7}};
+  const auto tube = Mesh::Build({positions, faces}).value();
+  EXPECT_NEAR(Length(IsolinesOrFail(
+                  *tube, {.sources = {{EdgePoint{0, 5, 0.5}}}}, {2}, 1e-6)),
               8 * std::asin(0.75), 1e-4);
 }
 
 TEST(IsolineArcs, TouchInAPointOfAGrid) {
   Random random(1);
   for (int i = 0; i < 120; ++i) {
-    const auto mesh = Mesh::Build(MakeGrid({.jitter = i % 2 == 0 ? 0 : 0.2}));
-    ASSERT_TRUE(mesh.ok());
+    const auto mesh =
+        Mesh::Build(MakeGrid({.jitter = i % 2 == 0 ? 0 : 0.2})).value();
     const auto a = static_cast<uint32_t>(random.Below(81));
     const auto b = static_cast<uint32_t>(random.Below(81));
     if (a == b) continue;
     const Query query{.sources = {{VertexPoint{a}}, {VertexPoint{b}}}};
     const double level =
-        Distance((*mesh)->positions()[a], (*mesh)->positions()[b]) / 2;
+        Distance(mesh->positions()[a], mesh->positions()[b]) / 2;
     // The lines of a level that is a little lower touch nowhere.
     EXPECT_NEAR(
-        LengthOf(IsolinesOrFail(**mesh, query, {level}, 1e-6)),
-        LengthOf(IsolinesOrFail(**mesh, query, {level * (1 - 1e-7)}, 1e-6)),
-        1e-4)
+        Length(IsolinesOrFail(*mesh, query, {level}, 1e-6)),
+        Length(IsolinesOrFail(*mesh, query, {level * (1 - 1e-7)}, 1e-6)), 1e-4)
         << a << ' ' << b;
   }
 }
 
+// A triangle of sides 3, 4 and 5, halved: its inscribed circle has the
+// radius 1/2.
 TEST(IsolineArcs, OnBothSidesOfAClosedCurve) {
   const Drawing ring = {{{{0.4, 0.4}, {1.9, 0.4}, {0.4, 2.4}, {0.4, 0.4}}}};
   for (const double level : {1e-7, 1e-3, 0.2, 0.39}) {

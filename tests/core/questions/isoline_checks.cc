@@ -220,6 +220,19 @@ std::vector<Isoline> IsolinesOrFail(const Mesh& mesh, const Query& query,
       .value();
 }
 
+double Length(const Isoline& isoline) {
+  const std::vector<Point>& p = isoline.positions;
+  Real length = isoline.is_closed ? Distance(p.back(), p.front()) : 0;
+  for (size_t i = 1; i < p.size(); ++i) length += Distance(p[i - 1], p[i]);
+  return static_cast<double>(length);
+}
+
+double Length(const std::vector<Isoline>& isolines) {
+  double length = 0;
+  for (const Isoline& isoline : isolines) length += Length(isoline);
+  return length;
+}
+
 void ExpectIsolines(const NamedMesh& named, const Query& query,
                     const std::vector<double>& levels, uint32_t samples,
                     double slack) {

@@ -16,6 +16,10 @@ std::vector<Isoline> IsolinesOrFail(const Mesh& mesh, const Query& query,
                                     const std::vector<double>& levels,
                                     double chord_error = 0);
 
+double Length(const Isoline& isoline);
+// Of all together.
+double Length(const std::vector<Isoline>& isolines);
+
 // Computes the isolines of all levels and expects that
 //   - every point lies at its level, where positions say;
 //   - no middle of a chord is farther from the level than a thousandth of it;

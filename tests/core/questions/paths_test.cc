@@ -293,14 +293,11 @@ GEODESIC_TEST_EVERY_ALGORITHM(Paths);
 TEST_P(Paths, CrossASideAtTheSourceOnIt) {
   // Vertex 1 lies on the side 0-2 of the first face; the others lead round
   // vertex 2.
+  const std::vector<Point> positions = {
+      {0, 0, 0},     {1, 0, 0},      {2, 0, 0},   {1.2, -1, 0},
+      {0.9, 0.8, 0}, {2.3, -1.1, 0}, {3, -0.3, 0}};
   const TriangleSoup soup = {
-      {{0, 0, 0},
-       {1, 0, 0},
-       {2, 0, 0},
-       {1.2, -1, 0},
-       {0.9, 0.8, 0},
-       {2.3, -1.1, 0},
-       {3, -0.3, 0}},
+      positions,
       {{0, 3, 2}, {2, 1, 0}, {0, 1, 4}, {1, 2, 4}, {3, 5, 2}, {5, 6, 2}}};
   for (uint64_t seed = 1; seed <= 10; ++seed) {
     const auto mesh =

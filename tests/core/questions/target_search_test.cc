@@ -189,7 +189,7 @@ TEST(TargetSearch, FindsPathsThatAreHardlyLongerWithinATolerance) {
 
 TEST(TargetSearch, TakesAPathThatIsGoodEnough) {
   const NamedMesh named{"terrain", Terrain(60, 60, 0.5, 7)};
-  const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+  const auto mesh = BuildOrFail(named);
   Query query{.sources = {{VertexPoint{0}}},
               .targets = {VertexPoint{mesh->vertex_count() - 1}}};
   TargetSearch search(*mesh);
@@ -213,7 +213,7 @@ TEST(TargetSearch, TracesShortestPaths) {
   Random random(5);
   for (const NamedMesh& named : Surfaces()) {
     SCOPED_TRACE(named.name);
-    const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+    const auto mesh = BuildOrFail(named);
     TargetSearch search(*mesh);
     NoCheckpoint checkpoint;
     for (int i = 0; i < 6; ++i) {
@@ -222,20 +222,19 @@ TEST(TargetSearch, TracesShortestPaths) {
                         .targets = {RandomSurfacePoint(named.soup, random),
                                     RandomSurfacePoint(named.soup, random)},
                         .trace = i != 2});
-      const absl::StatusOr<TargetDistances> found =
-          search.Run(query, nullptr, checkpoint);
-      ASSERT_TRUE(found.ok()) << found.status();
+      const TargetDistances found =
+          search.Run(query, nullptr, checkpoint).value();
       if (!query->trace) {
-        EXPECT_TRUE(found->paths.empty());
+        EXPECT_TRUE(found.paths.empty());
         continue;
       }
-      ASSERT_EQ(found->paths.size(), 2);
+      ASSERT_EQ(found.paths.size(), 2);
       for (size_t t = 0; t < 2; ++t) {
-        EXPECT_EQ(found->paths[t].distance, found->distances[t]);
-        if (std::isinf(found->distances[t])) continue;
+        EXPECT_EQ(found.paths[t].distance, found.distances[t]);
+        if (std::isinf(found.distances[t])) continue;
         EXPECT_TRUE(IsShortestPath(
-            *mesh, found->paths[t], PointOf(query->sources[0]),
-            query->targets[t], found->distances[t], {.check_bends = false}))
+            *mesh, found.paths[t], PointOf(query->sources[0]),
+            query->targets[t], found.distances[t], {.check_bends = false}))
             << "to " << Name(query->targets[t]);
       }
     }
@@ -256,7 +255,7 @@ TEST(TargetSearch, TracesPathsThroughManySheets) {
     for (uint64_t layer = 0; layer < 4; ++layer) {
       soup = AddLayer(soup, soup.triangles.size() / 5, 0.3, 4 * seed + layer);
     }
-    const std::shared_ptr<const Mesh> mesh = BuildOrFail({"book", soup});
+    const auto mesh = BuildOrFail({"book", soup});
     const auto landmarks = MakeLandmarks(*mesh, 4, {}, checkpoint);
     ASSERT_TRUE(landmarks.ok()) << landmarks.status();
     TargetSearch search(*mesh);
@@ -265,8 +264,7 @@ TEST(TargetSearch, TracesPathsThroughManySheets) {
           Valid(*mesh, {.sources = {{RandomSurfacePoint(soup, random)}},
                         .targets = {RandomSurfacePoint(soup, random)},
                         .trace = true});
-      const absl::StatusOr<TargetDistances> found =
-          search.Run(query, &*landmarks, checkpoint);
+      const auto found = search.Run(query, &*landmarks, checkpoint);
       ASSERT_TRUE(found.ok()) << found.status() << ", seed " << seed;
       EXPECT_EQ(found->paths[0].distance, found->distances[0]);
       EXPECT_TRUE(IsShortestPath(*mesh, found->paths[0],
@@ -280,6 +278,9 @@ TEST(TargetSearch, TracesPathsThroughManySheets) {
 // Windows wind round the needles on edge 0 - 1 so often that the search drops
 // some, others than a field would.
 TEST(TargetSearch, FindsTheWayAroundNeedlesOnOneEdge) {
+  const std::vector<Triangle> faces = {
+      {0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {6, 5, 0}, {7, 1, 8}, {1, 0, 8},
+      {0, 7, 8}, {0, 5, 7}, {6, 4, 5}, {4, 9, 6}, {5, 10, 6}};
   const TriangleSoup needles = {
       {{2.4402932016105294e-08, -2.1493271145915391e-08, 2.000000020262735},
        {3.0000000486651666, 1.9999999986079811, -1.2783843264571558e-08},
@@ -292,19 +293,9 @@ TEST(TargetSearch, FindsTheWayAroundNeedlesOnOneEdge) {
        {1.4531249989926447, 0.96874995458362001, 1.0312500484782496},
        {2.249999973817058, 1.5000000008344847, 0.49999998298107995},
        {3.0000000496261743, 2.0000000373424616, 1.9447574285786772e-08}},
-      {{0, 1, 2},
-       {0, 2, 3},
-       {4, 5, 6},
-       {6, 5, 0},
-       {7, 1, 8},
-       {1, 0, 8},
-       {0, 7, 8},
-       {0, 5, 7},
-       {6, 4, 5},
-       {4, 9, 6},
-       {5, 10, 6}}};
+      faces};
   NoCheckpoint checkpoint;
-  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"needles", needles});
+  const auto mesh = BuildOrFail({"needles", needles});
   TargetSearch search(*mesh);
   for (uint32_t source = 0; source < mesh->vertex_count(); ++source) {
     const std::vector<double> field =
@@ -325,42 +316,26 @@ TEST(TargetSearch, FindsTheWayAroundNeedlesOnOneEdge) {
 
 // Windows of a search wind round these without end, those of a field do not.
 TEST(TargetSearch, GivesWayToAFieldWhereWindowsWind) {
-  const TriangleSoup needles = {{{1, 3, 2},
-                                 {2.7, 1.3, 2},
-                                 {1.5, 2.5, 2.001},
-                                 {3, 1, 1.9996},
-                                 {2.6, 1.37, 2},
-                                 {3, 3, 2},
-                                 {3, 1, 2},
-                                 {0, 2, 0},
-                                 {0.7, 1.8, 0.5},
-                                 {3, 1, 2},
-                                 {2.8, 1.2, 2},
-                                 {0.4, 1.9, 0.2}},
-                                {{0, 1, 2},
-                                 {0, 3, 1},
-                                 {2, 4, 5},
-                                 {6, 7, 8},
-                                 {2, 1, 4},
-                                 {4, 9, 5},
-                                 {9, 3, 5},
-                                 {1, 2, 0},
-                                 {3, 1, 0},
-                                 {3, 1, 10},
-                                 {7, 8, 11},
-                                 {11, 3, 6}}};
-  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"needles", needles});
+  const std::vector<Point> positions = {
+      {1, 3, 2},       {2.7, 1.3, 2}, {1.5, 2.5, 2.001}, {3, 1, 1.9996},
+      {2.6, 1.37, 2},  {3, 3, 2},     {3, 1, 2},         {0, 2, 0},
+      {0.7, 1.8, 0.5}, {3, 1, 2},     {2.8, 1.2, 2},     {0.4, 1.9, 0.2}};
+  const std::vector<Triangle> faces = {
+      {0, 1, 2}, {0, 3, 1}, {2, 4, 5}, {6, 7, 8},  {2, 1, 4},  {4, 9, 5},
+      {9, 3, 5}, {1, 2, 0}, {3, 1, 0}, {3, 1, 10}, {7, 8, 11}, {11, 3, 6}};
+  const TriangleSoup needles = {positions, faces};
+  const auto mesh = BuildOrFail({"needles", needles});
   NoCheckpoint checkpoint;
-  const auto found =
-      TargetSearch(*mesh).Run(Valid(*mesh, {.sources = {{VertexPoint{5}}},
+  const auto found = TargetSearch(*mesh)
+                         .Run(Valid(*mesh, {.sources = {{VertexPoint{5}}},
                                             .targets = {VertexPoint{7}},
                                             .trace = true}),
-                              nullptr, checkpoint);
-  ASSERT_TRUE(found.ok()) << found.status();
+                              nullptr, checkpoint)
+                         .value();
   const std::vector<double> field =
       SolveOrFail(*mesh, Algorithm::kMmp, {{VertexPoint{5}}});
-  EXPECT_NEAR(found->distances[0], field[7], 1e-12);
-  EXPECT_LT(found->statistics.windows_propagated, 100'000);
+  EXPECT_NEAR(found.distances[0], field[7], 1e-12);
+  EXPECT_LT(found.statistics.windows_propagated, 100'000);
 }
 
 // As programs export what is to be seen from both sides. A search knows too few
@@ -371,8 +346,8 @@ TEST(TargetSearch, FollowsPathsWhereEveryFaceHasABack) {
        {HyperbolicGrid(40, 40, 0.02), MakeGrid({.columns = 14, .rows = 14}),
         UvSphere(20, 12)}) {
     const TriangleSoup backed = AddBackFaces(soup);
-    const std::shared_ptr<const Mesh> front = BuildOrFail({"front", soup});
-    const std::shared_ptr<const Mesh> both = BuildOrFail({"both", backed});
+    const auto front = BuildOrFail({"front", soup});
+    const auto both = BuildOrFail({"both", backed});
     TargetSearch search(*both), in_front(*front);
     NoCheckpoint checkpoint;
     for (int i = 0; i < 40; ++i) {
@@ -393,10 +368,10 @@ TEST(TargetSearch, FollowsPathsWhereEveryFaceHasABack) {
                                  found->distances[0]))
           << i;
       if (i % 3 == 0) continue;
-      const auto same = in_front.Run(Valid(*front, query), nullptr, checkpoint);
-      ASSERT_TRUE(same.ok()) << same.status();
-      EXPECT_NEAR(found->distances[0], same->distances[0],
-                  1e-12 * same->distances[0]);
+      const auto same =
+          in_front.Run(Valid(*front, query), nullptr, checkpoint).value();
+      EXPECT_NEAR(found->distances[0], same.distances[0],
+                  1e-12 * same.distances[0]);
     }
   }
 }
@@ -418,49 +393,36 @@ TEST(TargetSearch, GivesTheSameBitsAfterOtherSearches) {
 
 TEST(TargetSearch, GoesOnAfterBeingStopped) {
   const NamedMesh named{"terrain", Terrain(60, 60, 1.5, 7)};
-  const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+  const auto mesh = BuildOrFail(named);
   TargetSearch search(*mesh);
   const Query query{.sources = {{VertexPoint{0}}},
                     .targets = {VertexPoint{mesh->vertex_count() - 1}}};
-  class StopAt final : public Checkpoint {
-   public:
-    explicit StopAt(int polls) : left_(polls) {}
-    absl::Status Poll(const Progress&) override {
-      return left_-- > 0 ? absl::OkStatus() : absl::CancelledError("enough");
-    }
-
-   private:
-    int left_;
-  };
-  for (int polls = 0; polls < 4; ++polls) {
-    StopAt stop(polls);
-    const absl::StatusOr<TargetDistances> stopped =
-        search.Run(Valid(*mesh, query), nullptr, stop);
+  for (uint64_t polls = 0; polls < 4; ++polls) {
+    RecordingCheckpoint stop(polls);
+    const auto stopped = search.Run(Valid(*mesh, query), nullptr, stop);
     if (stopped.ok()) break;
     EXPECT_EQ(stopped.status().code(), absl::StatusCode::kCancelled);
   }
   NoCheckpoint checkpoint;
-  const absl::StatusOr<TargetDistances> found =
-      search.Run(Valid(*mesh, query), nullptr, checkpoint);
-  ASSERT_TRUE(found.ok());
+  const TargetDistances found =
+      search.Run(Valid(*mesh, query), nullptr, checkpoint).value();
   const std::vector<double> field =
       SolveOrFail(*mesh, Algorithm::kMmp, query.sources);
-  EXPECT_NEAR(found->distances[0], field.back(), kPairTolerance * field.back());
+  EXPECT_NEAR(found.distances[0], field.back(), kPairTolerance * field.back());
 }
 
 // What is far off the way is not looked at.
 TEST(TargetSearch, PropagatesFewWindowsBesideAField) {
   const NamedMesh named{"terrain", Terrain(120, 120, 0.5, 7)};
-  const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+  const auto mesh = BuildOrFail(named);
   TargetSearch search(*mesh);
   NoCheckpoint checkpoint;
   const Query query{.sources = {{VertexPoint{60 * 121 + 10}}},
                     .targets = {VertexPoint{60 * 121 + 110}}};
-  const absl::StatusOr<TargetDistances> found =
-      search.Run(Valid(*mesh, query), nullptr, checkpoint);
-  ASSERT_TRUE(found.ok());
+  const TargetDistances found =
+      search.Run(Valid(*mesh, query), nullptr, checkpoint).value();
   const DistanceField field = SolveOrFail(*mesh, query);
-  EXPECT_LT(found->statistics.windows_propagated,
+  EXPECT_LT(found.statistics.windows_propagated,
             field.statistics.windows_propagated / 4);
 }
 
@@ -482,38 +444,37 @@ TEST(TargetSearch, PropagatesNoMoreThanAFieldAlongARibbon) {
   NoCheckpoint checkpoint;
   for (const uint32_t count : {0u, 8u}) {
     const Landmarks landmarks = search.MakeSome(count);
-    const absl::StatusOr<TargetDistances> found =
-        one.Run(Valid(search.mesh(), query), &landmarks, checkpoint);
-    ASSERT_TRUE(found.ok());
-    EXPECT_NEAR(found->distances[0], field.target_distances[0],
+    const TargetDistances found =
+        one.Run(Valid(search.mesh(), query), &landmarks, checkpoint).value();
+    EXPECT_NEAR(found.distances[0], field.target_distances[0],
                 kPairTolerance * field.target_distances[0]);
-    EXPECT_LE(found->statistics.windows_propagated,
+    EXPECT_LE(found.statistics.windows_propagated,
               field.statistics.windows_propagated);
   }
 }
 
 TEST(TargetSearch, PropagatesNothingWhereNoPathLeads) {
   const TriangleSoup ball = Icosphere(2);
-  const std::shared_ptr<const Mesh> mesh =
+  const auto mesh =
       BuildOrFail({"two balls", Join(ball, RotateAndShift(ball, 5))});
   const auto vertex = static_cast<uint32_t>(ball.positions.size());
   const auto face = static_cast<uint32_t>(ball.triangles.size());
   TargetSearch search(*mesh);
   NoCheckpoint checkpoint;
-  const absl::StatusOr<TargetDistances> found =
-      search.Run(Valid(*mesh, {.sources = {{VertexPoint{0}}},
-                               .targets = {VertexPoint{vertex},
-                                           FacePoint{face, {0.2, 0.3, 0.5}}}}),
-                 nullptr, checkpoint);
-  ASSERT_TRUE(found.ok());
-  EXPECT_TRUE(std::isinf(found->distances[0]));
-  EXPECT_TRUE(std::isinf(found->distances[1]));
-  EXPECT_EQ(found->statistics.windows_propagated, 0);
+  const TargetDistances found =
+      search
+          .Run(Valid(*mesh, {.sources = {{VertexPoint{0}}},
+                             .targets = {VertexPoint{vertex},
+                                         FacePoint{face, {0.2, 0.3, 0.5}}}}),
+               nullptr, checkpoint)
+          .value();
+  EXPECT_TRUE(std::isinf(found.distances[0]));
+  EXPECT_TRUE(std::isinf(found.distances[1]));
+  EXPECT_EQ(found.statistics.windows_propagated, 0);
 }
 
 TEST(TargetSearch, NeedsATarget) {
-  const std::shared_ptr<const Mesh> mesh =
-      BuildOrFail({"icosphere", Icosphere(1)});
+  const auto mesh = BuildOrFail({"icosphere", Icosphere(1)});
   TargetSearch search(*mesh);
   NoCheckpoint checkpoint;
   EXPECT_EQ(search
@@ -547,7 +508,7 @@ TEST(Landmarks, BoundDistancesFromBelow) {
 }
 
 TEST(Landmarks, AreTwoStepsTooLowAtTheMost) {
-  const std::shared_ptr<const Mesh> mesh =
+  const auto mesh =
       BuildOrFail({"two parts", Join(Icosphere(3), Terrain(9, 9, 1, 3))});
   Landmarks landmarks(*mesh);
   std::vector<std::vector<double>> fields;
@@ -579,7 +540,7 @@ TEST(Landmarks, AreTwoStepsTooLowAtTheMost) {
 // Where the way from the landmark is short beside the edges around.
 TEST(Landmarks, BoundDistancesOfPlacesBesideThem) {
   const NamedMesh named{"terrain", Terrain(12, 12, 1, 3)};
-  const std::shared_ptr<const Mesh> mesh = BuildOrFail(named);
+  const auto mesh = BuildOrFail(named);
   Random random(6);
   for (uint32_t landmark = 0; landmark < mesh->vertex_count(); ++landmark) {
     Landmarks landmarks(*mesh);

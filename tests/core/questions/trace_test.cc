@@ -69,6 +69,23 @@ Point Way(const Point& from, const Point& to) {
   return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
 }
 
+// That lines in all directions from there are straight in the plane.
+void ExpectStraight(const Mesh& mesh, const SurfacePoint& place) {
+  const Point from = PositionOf(place, mesh);
+  for (int degrees = 0; degrees < 360; degrees += 15) {
+    const double angle = degrees * kPi / 180;
+    const Point way = {3 * std::cos(angle), 3 * std::sin(angle), 0};
+    const TracedLine line = Line(mesh, {place, way}, 2.5);
+    ExpectWhole(line);
+    EXPECT_EQ(line.end, TraceEnd::kLength);
+    ExpectAt(line.positions.front(), from, 1e-15);
+    ExpectAt(
+        line.positions.back(),
+        {from[0] + 2.5 * std::cos(angle), from[1] + 2.5 * std::sin(angle), 0},
+        1e-12);
+  }
+}
+
 TEST(TraceTest, IsAStraightLineInAPlane) {
   for (const double jitter : {0.0, 0.2}) {
     const TriangleSoup grid =
@@ -80,19 +97,7 @@ TEST(TraceTest, IsAStraightLineInAPlane) {
           SurfacePoint(
               EdgePoint{grid.triangles[132][0], grid.triangles[132][1], 0.3}),
           SurfacePoint(FacePoint{132, {0.2, 0.3, 0.5}})}) {
-      const Point from = PositionOf(place, *mesh);
-      for (int degrees = 0; degrees < 360; degrees += 15) {
-        const double angle = degrees * kPi / 180;
-        const Point way = {3 * std::cos(angle), 3 * std::sin(angle), 0};
-        const TracedLine line = Line(*mesh, {place, way}, 2.5);
-        ExpectWhole(line);
-        EXPECT_EQ(line.end, TraceEnd::kLength);
-        ExpectAt(line.positions.front(), from, 1e-15);
-        ExpectAt(line.positions.back(),
-                 {from[0] + 2.5 * std::cos(angle),
-                  from[1] + 2.5 * std::sin(angle), 0},
-                 1e-12);
-      }
+      ExpectStraight(*mesh, place);
     }
   }
 }
@@ -211,17 +216,7 @@ TEST(TraceTest, CrossesEdgesWhereFacesDisagreeInOrientation) {
   for (size_t face = 0; face < grid.triangles.size(); face += 3) {
     std::swap(grid.triangles[face][0], grid.triangles[face][1]);
   }
-  const auto mesh = Build(grid);
-  const SurfacePoint place = FacePoint{132, {0.2, 0.3, 0.5}};
-  const Point from = PositionOf(place, *mesh);
-  for (int degrees = 0; degrees < 360; degrees += 15) {
-    const double angle = degrees * kPi / 180;
-    const Point way = {std::cos(angle), std::sin(angle), 0};
-    const TracedLine line = Line(*mesh, {place, way}, 2.5);
-    ExpectWhole(line);
-    ExpectAt(line.positions.back(),
-             {from[0] + 2.5 * way[0], from[1] + 2.5 * way[1], 0}, 1e-12);
-  }
+  ExpectStraight(*Build(grid), FacePoint{132, {0.2, 0.3, 0.5}});
 }
 
 TEST(TraceTest, EndsWhereThereIsNoStraightOn) {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "absl/status/status.h"
-#include "geodesic/checkpoint.h"
 #include "geodesic/read_mesh.h"
 #include "tests/core/readers/soup_checks.h"
+#include "tests/support/checkpoints.h"
 #include "tests/support/gzip_file.h"
 
 namespace geodesic {
@@ -64,15 +64,8 @@ TEST(GzipTest, EveryCutAndEveryChangedByteIsAnError) {
   EXPECT_THAT(Gunzip(bytes + "rest", 1000), IsInvalidWith("end here"));
 }
 
-class StopAtOnce final : public Checkpoint {
- public:
-  absl::Status Poll(const Progress&) override {
-    return absl::CancelledError("stop");
-  }
-};
-
 TEST(GzipTest, ACheckpointStopsIt) {
-  StopAtOnce stop;
+  test::RecordingCheckpoint stop(0);
   EXPECT_TRUE(absl::IsCancelled(
       Gunzip(Gzip(std::string(1'000'000, 'x')), 1 << 20, &stop).status()));
 }

@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "absl/status/status.h"
 #include "geodesic/solve.h"
+#include "tests/support/temporary_folder.h"
 
 namespace geodesic {
 namespace {
@@ -18,22 +18,13 @@ using ::testing::HasSubstr;
 
 class MeshFileTest : public ::testing::Test {
  protected:
-  MeshFileTest() {
-    folder_ = std::filesystem::path(testing::TempDir()) /
-              testing::UnitTest::GetInstance()->current_test_info()->name();
-    std::filesystem::create_directories(folder_);
-  }
-  ~MeshFileTest() override { std::filesystem::remove_all(folder_); }
-
   // The path of a file with this content.
   std::string File(const std::string& name, const std::string& content) {
-    std::ofstream(folder_ / name) << content;
-    return Path(name);
+    test::WriteFile(folder_ / name, content);
+    return folder_ / name;
   }
-  std::string Path(const std::string& name) const { return folder_ / name; }
 
- private:
-  std::filesystem::path folder_;
+  test::TemporaryFolder folder_;
 };
 
 // A triangle with legs 3 and 4.
@@ -59,11 +50,11 @@ TEST_F(MeshFileTest, LongFilesAreReadWhole) {
 }
 
 TEST_F(MeshFileTest, ErrorsNameTheFile) {
-  const std::string missing = Path("missing.ply");
+  const std::string missing = folder_ / "missing.ply";
   EXPECT_EQ(ReadMeshFile(missing).status().code(), absl::StatusCode::kNotFound);
   EXPECT_THAT(ReadMeshFile(missing).status().message(), HasSubstr(missing));
 
-  const std::string folder = Path("folder.ply");
+  const std::string folder = folder_ / "folder.ply";
   std::filesystem::create_directory(folder);
   const absl::Status no_file = ReadMeshFile(folder).status();
   EXPECT_FALSE(no_file.ok());

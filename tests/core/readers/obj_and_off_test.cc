@@ -48,11 +48,6 @@ TEST(ObjReaderTest, NegativeReferencesCountBackFromTheLastVertex) {
                                           Triangle{0, 4, 1}));
 }
 
-TEST(ObjReaderTest, FacesMayPrecedeTheirVertices) {
-  const TriangleSoup soup = ExpectRead(ReadObj("f 1 2 4\n" + kVertices));
-  EXPECT_THAT(soup.triangles, ElementsAre(Triangle{0, 1, 3}));
-}
-
 TEST(ObjReaderTest, IgnoresEverythingElse) {
   const TriangleSoup soup = ExpectRead(
       ReadObj("# f 1 1 1\nmtllib C:\\temp\\\no f 1 2 3\ng An f Three Things\n"

@@ -31,6 +31,7 @@ using test::ExpectSound;
 using test::IsInvalid;
 using test::IsInvalidWith;
 using test::VtpFormat;
+using test::VtpOptions;
 using test::VtpPiece;
 using test::VtpWriter;
 using ::testing::ElementsAre;
@@ -106,15 +107,21 @@ Sample BinaryGltf() {
   return {"GltfBinary", MeshFormat::kGltf, file.bytes(), 0};
 }
 
-VtpPiece VtpTriangles() {
-  return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-          {{0, 1, 2}, {3, 2, 1, 0}}};
+Sample Vtp(const VtpOptions& options) {
+  std::string bytes = VtpWriter(options).Write(
+      {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}},
+       {{{7, 7, 7}}, {}},
+       {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{3, 2, 1, 0}}}});
+  const bool is_text = options.format != VtpFormat::kAppendedRaw;
+  if (!is_text) bytes.pop_back();  // a line end
+  return {"Vtp" + test::NameOf(options), MeshFormat::kVtp, bytes,
+          size_t{is_text}};
 }
 
-// Each has four or five vertices and three triangles.
+// Each has four vertices or more and three triangles.
 std::vector<Sample> Samples() {
   const std::string rows = "0 0 0 9\n1 0 0 9\n0 1 0 9\n0 0 1 9\n";
-  return {
+  std::vector<Sample> samples = {
       {"Obj", MeshFormat::kObj,
        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 4/1 3/1 2/1 -4//7\n",
        1000},
@@ -138,12 +145,11 @@ std::vector<Sample> Samples() {
        1},
       BinaryVtk(),
       BinaryGltf(),
-      {"VtpAscii", MeshFormat::kVtp, VtpWriter({}).Write({VtpTriangles()}), 1},
-      {"VtpZlib", MeshFormat::kVtp,
-       VtpWriter({.format = VtpFormat::kBinary, .is_compressed = true})
-           .Write({VtpTriangles()}),
-       1},
   };
+  for (const VtpOptions& options : test::AllVtpOptions()) {
+    samples.push_back(Vtp(options));
+  }
+  return samples;
 }
 
 class EveryFormatTest : public testing::TestWithParam<Sample> {};
@@ -182,8 +188,8 @@ TEST_P(EveryFormatTest, ATruncatedFileIsAnErrorOrSmaller) {
 TEST_P(EveryFormatTest, AChangedByteIsAnErrorOrASoundSoup) {
   const Sample& sample = GetParam();
   for (size_t at = 0; at < sample.bytes.size(); ++at) {
-    for (const char byte :
-         {'\0', '\xff', '\x7f', '\n', '\r', ' ', '-', '9', '#', '\\', 'e'}) {
+    for (const char byte : {'\0', '\xff', '\x7f', '\n', '\r', ' ', '-', '9',
+                            '#', '\\', 'e', 'A', '<', '>', '"'}) {
       std::string bytes = sample.bytes;
       bytes[at] = byte;
       const absl::StatusOr<TriangleSoup> soup = ReadMesh(bytes, sample.format);
@@ -396,7 +402,16 @@ TEST(ReadMeshTest, AFileWithoutFacesIsNoError) {
         {MeshFormat::kPly, vertices + "end_header\n0 0 0\n", 1u},
         {MeshFormat::kPly, vertices + "element face 0\nend_header\n0 0 0\n",
          1u},
-        {MeshFormat::kStl, "solid\nendsolid\n", 0u}}) {
+        {MeshFormat::kStl, "solid\nendsolid\n", 0u},
+        {MeshFormat::kVtk,
+         "# vtk DataFile Version 5.1\nt\nASCII\nDATASET POLYDATA\n"
+         "POINTS 1 float\n0 0 0\nPOLYGONS 0 0\nOFFSETS vtktypeint64\n"
+         "CONNECTIVITY vtktypeint64\n",
+         1u},
+        {MeshFormat::kVtp,
+         VtpWriter({.format = VtpFormat::kBinary, .is_compressed = true})
+             .Write({{{{1, 2, 3}}, {}}, {{}, {}}}),
+         1u}}) {
     const TriangleSoup soup = ExpectRead(ReadMesh(bytes, format));
     EXPECT_EQ(soup.positions.size(), count) << bytes;
     EXPECT_TRUE(soup.triangles.empty()) << bytes;

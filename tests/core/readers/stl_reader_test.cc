@@ -113,13 +113,6 @@ TEST(StlReaderTest, ReadsAsciiSolidsInAnyCase) {
               ElementsAre(Triangle{0, 1, 2}, Triangle{3, 1, 0}));
 }
 
-TEST(StlReaderTest, ANormalMayBeMissing) {
-  EXPECT_THAT(ExpectRead(Read("solid\nfacet\nouter loop\n" + kCorners +
-                              "endloop\nendfacet\nendsolid\n"))
-                  .triangles,
-              SizeIs(1));
-}
-
 TEST(StlReaderTest, AsciiMessagesNameLineAndFace) {
   const std::string one = "solid\n" + AsciiFacet(kCorners);
   ExpectRefused(

@@ -16,8 +16,6 @@ using test::ByteWriter;
 using test::ExpectRead;
 using test::IsInvalidWith;
 using ::testing::ElementsAre;
-using ::testing::IsEmpty;
-using ::testing::SizeIs;
 
 std::string Head(const std::string& encoding, const std::string& dataset,
                  const std::string& version = "3.0") {
@@ -67,15 +65,6 @@ TEST(VtkReaderTest, VersionFiveHasOffsetsAndConnectivity) {
   EXPECT_EQ(soup.positions[3], (Point{0, 0, 0.1 * 3}));
   EXPECT_THAT(soup.triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{0, 1, 2},
                                           Triangle{0, 2, 3}));
-}
-
-TEST(VtkReaderTest, NoCellsAreNoFaces) {
-  const TriangleSoup soup =
-      ExpectRead(Read(Head("ASCII", "POLYDATA", "5.1") +
-                      "POINTS 1 float\n0 0 0\nPOLYGONS 0 0\n"
-                      "OFFSETS vtktypeint64\nCONNECTIVITY vtktypeint64\n"));
-  EXPECT_THAT(soup.positions, SizeIs(1));
-  EXPECT_THAT(soup.triangles, IsEmpty());
 }
 
 // Where the counts of a header are lies, nothing is allocated for them.

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -23,7 +22,6 @@ namespace {
 
 using test::ByteWriter;
 using test::ExpectRead;
-using test::ExpectSound;
 using test::IsInvalid;
 using test::IsInvalidWith;
 using test::VtpFormat;
@@ -31,7 +29,6 @@ using test::VtpOptions;
 using test::VtpPiece;
 using test::VtpWriter;
 using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
 absl::StatusOr<TriangleSoup> Read(const std::string& bytes) {
@@ -47,35 +44,13 @@ std::vector<VtpPiece> Pieces() {
           {{{2, 0, 0}, {3, 0, 0}, {2, 1, -1e300}}, {{0, 1, 2}}}};
 }
 
-std::vector<VtpOptions> AllOptions() {
-  std::vector<VtpOptions> all;
-  for (const VtpFormat format :
-       {VtpFormat::kAscii, VtpFormat::kBinary, VtpFormat::kAppendedRaw,
-        VtpFormat::kAppendedBase64}) {
-    for (const std::endian order : {std::endian::little, std::endian::big}) {
-      for (const bool has_long_headers : {false, true}) {
-        for (const bool is_compressed : {false, true}) {
-          all.push_back({format, order, has_long_headers, is_compressed});
-        }
-      }
-    }
-  }
-  return all;
-}
-
 class VtpOptionsTest : public testing::TestWithParam<VtpOptions> {};
 
-std::string NameOf(const testing::TestParamInfo<VtpOptions>& parameter) {
-  const VtpOptions& options = parameter.param;
-  constexpr std::array kFormats = {"Ascii", "Binary", "Raw", "Base64"};
-  return absl::StrCat(kFormats.at(static_cast<size_t>(options.format)),
-                      options.order == std::endian::big ? "Big" : "Little",
-                      options.has_long_headers ? "Long" : "Short",
-                      options.is_compressed ? "Zlib" : "Plain");
-}
-
-INSTANTIATE_TEST_SUITE_P(All, VtpOptionsTest, testing::ValuesIn(AllOptions()),
-                         NameOf);
+INSTANTIATE_TEST_SUITE_P(All, VtpOptionsTest,
+                         testing::ValuesIn(test::AllVtpOptions()),
+                         [](const auto& options) {
+                           return test::NameOf(options.param);
+                         });
 
 TEST_P(VtpOptionsTest, AllPiecesAreRead) {
   const TriangleSoup soup =
@@ -104,50 +79,6 @@ TEST_P(VtpOptionsTest, LargeArraysAreRead) {
   EXPECT_EQ(soup.triangles[4000], (Triangle{4002, 4001, 4000}));
 }
 
-TEST_P(VtpOptionsTest, ACutFileIsAnErrorOrWhole) {
-  const std::string bytes = VtpWriter(GetParam()).Write(Pieces());
-  const TriangleSoup whole = ExpectRead(Read(bytes));
-  for (size_t size = 0; size < bytes.size(); ++size) {
-    // A copy of its own, so that AddressSanitizer sees reads past the end.
-    const absl::StatusOr<TriangleSoup> soup = Read(bytes.substr(0, size));
-    if (!soup.ok()) {
-      EXPECT_TRUE(absl::IsInvalidArgument(soup.status())) << soup.status();
-      continue;
-    }
-    EXPECT_EQ(soup->positions, whole.positions) << size;
-    EXPECT_EQ(soup->triangles, whole.triangles) << size;
-  }
-}
-
-TEST_P(VtpOptionsTest, AChangedByteIsAnErrorOrASoundSoup) {
-  const std::string bytes = VtpWriter(GetParam()).Write(Pieces());
-  for (size_t at = 0; at < bytes.size(); ++at) {
-    for (const char byte : {'\0', '\xff', '<', '>', '"', '9', 'A'}) {
-      std::string changed = bytes;
-      changed[at] = byte;
-      const absl::StatusOr<TriangleSoup> soup = Read(changed);
-      if (soup.ok()) {
-        ExpectSound(*soup);
-      } else {
-        EXPECT_TRUE(absl::IsInvalidArgument(soup.status())) << soup.status();
-      }
-    }
-  }
-}
-
-TEST_P(VtpOptionsTest, LimitsAreKept) {
-  const std::string bytes = VtpWriter(GetParam()).Write(Pieces());
-  const auto read = [&](uint64_t vertices, uint64_t triangles) {
-    return ReadMesh(bytes, MeshFormat::kVtp,
-                    {.max_vertices = vertices, .max_triangles = triangles})
-        .status();
-  };
-  EXPECT_EQ(read(8, 4), absl::OkStatus());
-  EXPECT_TRUE(absl::IsResourceExhausted(read(7, 4)));
-  EXPECT_TRUE(absl::IsResourceExhausted(read(3, 4)));
-  EXPECT_TRUE(absl::IsResourceExhausted(read(8, 3)));
-}
-
 // A file of one piece: three points as text, and a triangle.
 std::string Plain(const std::vector<std::pair<absl::string_view, std::string>>&
                       changes = {}) {
@@ -171,14 +102,6 @@ TEST(VtpReaderTest, MarkupMayBeWrittenOtherwise) {
        {" NumberOfStrips=\"0\"", ""}})));
   EXPECT_THAT(soup.positions, SizeIs(3));
   EXPECT_THAT(soup.triangles, ElementsAre(Triangle{0, 1, 2}));
-}
-
-TEST(VtpReaderTest, NoCellsAreNoFaces) {
-  const TriangleSoup soup = ExpectRead(
-      Read(VtpWriter({.format = VtpFormat::kBinary, .is_compressed = true})
-               .Write({{{{1, 2, 3}}, {}}, {{}, {}}})));
-  EXPECT_THAT(soup.positions, SizeIs(1));
-  EXPECT_THAT(soup.triangles, IsEmpty());
 }
 
 // Some files have the header's base64 apart from that of the numbers.

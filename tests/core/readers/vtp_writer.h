@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <string>
@@ -28,6 +29,31 @@ struct VtpOptions {
   bool is_compressed = false;
   size_t block_bytes = 32;
 };
+
+// Every way that the header of a file can name.
+inline std::vector<VtpOptions> AllVtpOptions() {
+  std::vector<VtpOptions> all;
+  for (const VtpFormat format :
+       {VtpFormat::kAscii, VtpFormat::kBinary, VtpFormat::kAppendedRaw,
+        VtpFormat::kAppendedBase64}) {
+    for (const std::endian order : {std::endian::little, std::endian::big}) {
+      for (const bool has_long_headers : {false, true}) {
+        for (const bool is_compressed : {false, true}) {
+          all.push_back({format, order, has_long_headers, is_compressed});
+        }
+      }
+    }
+  }
+  return all;
+}
+
+inline std::string NameOf(const VtpOptions& options) {
+  constexpr std::array kFormats = {"Ascii", "Binary", "Raw", "Base64"};
+  return absl::StrCat(kFormats.at(static_cast<size_t>(options.format)),
+                      options.order == std::endian::big ? "Big" : "Little",
+                      options.has_long_headers ? "Long" : "Short",
+                      options.is_compressed ? "Zlib" : "Plain");
+}
 
 struct VtpPiece {
   std::vector<Point> points;

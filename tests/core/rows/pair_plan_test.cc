@@ -12,18 +12,6 @@ PointPair Vertices(uint32_t source, uint32_t target) {
   return {VertexPoint{source}, VertexPoint{target}};
 }
 
-TEST(PairPlan, SearchesWhatSharesNothing) {
-  const std::vector<PointPair> pairs = {Vertices(0, 1), Vertices(2, 3),
-                                        Vertices(4, 5)};
-  const auto rows =
-      PlanPairs(pairs, {.least_for_field = 2, .searches_per_row = 2});
-  ASSERT_EQ(rows.size(), 2);
-  EXPECT_FALSE(rows[0].shared.has_value());
-  EXPECT_EQ(rows[0].pairs, (std::vector<uint32_t>{0, 1}));
-  EXPECT_FALSE(rows[1].shared.has_value());
-  EXPECT_EQ(rows[1].pairs, std::vector<uint32_t>{2});
-}
-
 TEST(PairPlan, AFieldAnswersWhatSharesAnEndOnEitherSide) {
   const std::vector<PointPair> pairs = {Vertices(8, 9), Vertices(7, 1),
                                         Vertices(2, 7), Vertices(7, 7)};
@@ -33,13 +21,6 @@ TEST(PairPlan, AFieldAnswersWhatSharesAnEndOnEitherSide) {
   EXPECT_EQ(rows[0].pairs, std::vector<uint32_t>{0});
   EXPECT_EQ(rows[1].shared, SurfacePoint(VertexPoint{7}));
   EXPECT_EQ(rows[1].pairs, (std::vector<uint32_t>{1, 2, 3}));
-}
-
-TEST(PairPlan, TooFewAreSearched) {
-  const std::vector<PointPair> pairs = {Vertices(7, 1), Vertices(2, 7)};
-  const auto rows = PlanPairs(pairs, {.least_for_field = 3});
-  ASSERT_EQ(rows.size(), 1);
-  EXPECT_FALSE(rows[0].shared.has_value());
 }
 
 // The pair of both common ends goes to the more common one, and leaves too few

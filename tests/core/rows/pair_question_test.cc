@@ -133,9 +133,8 @@ TEST_F(PairQuestionTest, AFieldAnswersManyThatShareAnEnd) {
 TEST_F(PairQuestionTest, PlansForTheOtherEndsOfARow) {
   const std::vector<PointPair> pairs(kFieldInSearches,
                                      {VertexPoint{0}, VertexPoint{120}});
-  const auto question = Make(pairs);
-  ASSERT_TRUE(question.ok()) << question.status();
-  EXPECT_GE((*question)->RowBytes(),
+  const auto question = Make(pairs).value();
+  EXPECT_GE(question->RowBytes(),
             pairs.size() *
                 (sizeof(double) + sizeof(uint32_t) + sizeof(SurfacePoint)));
 }
@@ -177,11 +176,10 @@ TEST_F(PairQuestionTest, LendsNoSearchForWhatIsThere) {
 TEST_F(PairQuestionTest, ManySearchesHaveLandmarksMadeOnce) {
   Hold(MakeGrid({.columns = 20, .rows = 20}));
   const std::vector<PointPair> pairs = ManyPairs();
-  const auto question = Make(pairs);
-  ASSERT_TRUE(question.ok()) << question.status();
-  EXPECT_EQ((*question)->landmarks(), LandmarksWorth(pairs.size()));
-  EXPECT_GE((*question)->PlannedBytes(), Landmarks::PlannedMakingBytes(*mesh_));
-  const std::vector<double> distances = Ask(**question).values;
+  const auto question = Make(pairs).value();
+  EXPECT_EQ(question->landmarks(), LandmarksWorth(pairs.size()));
+  EXPECT_GE(question->PlannedBytes(), Landmarks::PlannedMakingBytes(*mesh_));
+  const std::vector<double> distances = Ask(*question).values;
   EXPECT_EQ(means_->makings, 1);
   EXPECT_EQ(means_->landmarks()->count(), LandmarksWorth(pairs.size()));
   for (size_t i = 0; i < pairs.size(); ++i) {
@@ -193,15 +191,14 @@ TEST_F(PairQuestionTest, ManySearchesHaveLandmarksMadeOnce) {
 
 TEST_F(PairQuestionTest, ALaterRowAsksAgainForLandmarks) {
   Hold(MakeGrid({.columns = 20, .rows = 20}));
-  const auto question = Make(ManyPairs());
-  ASSERT_TRUE(question.ok()) << question.status();
+  const auto question = Make(ManyPairs()).value();
   means_->can_make_landmarks = false;
-  ASSERT_TRUE((*question)->Answer(0, checkpoint_).ok());
-  ASSERT_TRUE((*question)->Answer(1, checkpoint_).ok());
+  ASSERT_TRUE(question->Answer(0, checkpoint_).ok());
+  ASSERT_TRUE(question->Answer(1, checkpoint_).ok());
   EXPECT_EQ(means_->landmarks(), nullptr);
   means_->can_make_landmarks = true;
-  ASSERT_TRUE((*question)->Answer(2, checkpoint_).ok());
-  ASSERT_TRUE((*question)->Answer(3, checkpoint_).ok());
+  ASSERT_TRUE(question->Answer(2, checkpoint_).ok());
+  ASSERT_TRUE(question->Answer(3, checkpoint_).ok());
   EXPECT_EQ(means_->makings, 3);
   EXPECT_NE(means_->landmarks(), nullptr);
 }
@@ -209,9 +206,8 @@ TEST_F(PairQuestionTest, ALaterRowAsksAgainForLandmarks) {
 TEST_F(PairQuestionTest, LandmarksAreMadeThoughTheirMakingWasStoppedBefore) {
   test::RecordingCheckpoint stopped(0);
   EXPECT_FALSE(means_->MakeLandmarks(4, stopped).ok());
-  const absl::StatusOr<bool> made = means_->MakeLandmarks(4, checkpoint_);
-  ASSERT_TRUE(made.ok()) << made.status();
-  EXPECT_TRUE(*made);
+  const bool made = means_->MakeLandmarks(4, checkpoint_).value();
+  EXPECT_TRUE(made);
 }
 
 // What answers them changes the rounding at most.
@@ -282,10 +278,10 @@ TEST_F(PairQuestionTest, OnFacesWithoutAreaTwoThatShareAnEndGetAField) {
   Hold(test::InsertZeroAreaFaces(MakeGrid({.columns = 4, .rows = 4}), 2, 1));
   const auto question = Make({{VertexPoint{6}, VertexPoint{8}},
                               {VertexPoint{9}, VertexPoint{11}},
-                              {VertexPoint{8}, VertexPoint{9}}});
-  ASSERT_TRUE(question.ok()) << question.status();
-  EXPECT_NE((*question)->algorithm(), Algorithm::kFwpList);
-  for (const double d : Ask(**question).values) EXPECT_GT(d, 0);
+                              {VertexPoint{8}, VertexPoint{9}}})
+                            .value();
+  EXPECT_NE(question->algorithm(), Algorithm::kFwpList);
+  for (const double d : Ask(*question).values) EXPECT_GT(d, 0);
   EXPECT_EQ(count(AnsweredBy::kField), 2);
   EXPECT_EQ(count(AnsweredBy::kSearch), 1);
   EXPECT_EQ(means_->wishes, 0);
@@ -302,9 +298,9 @@ TEST_F(PairQuestionTest, ApproximateOnesAreFieldsOrSearchesOfTheMethod) {
         PrepareMethod(*mesh_, info.method, {.gtu = {.samples = 20}},
                       checkpoint_)
             .value();
-    const auto question = Make(pairs, {.method = {{info.method, method}}});
-    ASSERT_TRUE(question.ok()) << question.status();
-    const std::vector<double> distances = Ask(**question).values;
+    const auto question =
+        Make(pairs, {.method = {{info.method, method}}}).value();
+    const std::vector<double> distances = Ask(*question).values;
     for (size_t i = 0; i < pairs.size(); ++i) {
       EXPECT_NEAR(distances[i], Euclid(pairs[i]), 0.3 * Euclid(pairs[i]));
     }
@@ -313,8 +309,8 @@ TEST_F(PairQuestionTest, ApproximateOnesAreFieldsOrSearchesOfTheMethod) {
     EXPECT_EQ(count(AnsweredBy::kSearch), searches ? 30 : 0);
     EXPECT_EQ(count(AnsweredBy::kField), searches ? 0 : 30);
     // A field from each of the three common ends.
-    if (!searches) EXPECT_EQ((*question)->rows().size(), 3);
-    EXPECT_EQ((*question)->landmarks(), 0);
+    if (!searches) EXPECT_EQ(question->rows().size(), 3);
+    EXPECT_EQ(question->landmarks(), 0);
   }
   EXPECT_EQ(means_->fields, 0);
   EXPECT_EQ(means_->loans, 0);
@@ -353,10 +349,9 @@ TEST_F(PairQuestionTest, StopsWhereverItIsToldTo) {
       ApproximateMethod::kSvg,
       PrepareMethod(*mesh_, ApproximateMethod::kSvg, {}, checkpoint_).value()};
   for (const PairOptions& options : {PairOptions{}, {.method = graph}}) {
-    const auto question = Make(pairs, options);
-    ASSERT_TRUE(question.ok()) << question.status();
+    const auto question = Make(pairs, options).value();
     test::RecordingCheckpoint whole;
-    ASSERT_TRUE((*question)->Answer(0, whole).ok());
+    ASSERT_TRUE(question->Answer(0, whole).ok());
     EXPECT_GT(whole.polls().size(), 0);
     // Of all searches together.
     uint64_t windows = 0;
@@ -366,7 +361,7 @@ TEST_F(PairQuestionTest, StopsWhereverItIsToldTo) {
     }
     for (uint64_t poll = 0; poll < whole.polls().size(); ++poll) {
       test::RecordingCheckpoint checkpoint(poll);
-      EXPECT_EQ((*question)->Answer(0, checkpoint).status(),
+      EXPECT_EQ(question->Answer(0, checkpoint).status(),
                 test::RecordingCheckpoint::Stopped());
     }
   }

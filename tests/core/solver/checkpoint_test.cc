@@ -7,13 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <vector>
 
 #include "absl/status/status.h"
 #include "geodesic/computation.h"
-#include "geodesic/settled_vertices.h"
 #include "geodesic/solve.h"
 #include "tests/core/exactness/every_algorithm.h"
 #include "tests/support/checkpoints.h"
@@ -43,8 +41,7 @@ TEST_P(CheckpointTest, StopsAtWhicheverPollSaysSo) {
 
 TEST_P(CheckpointTest, ProgressGrowsToTheEnd) {
   RecordingCheckpoint checkpoint;
-  const auto field = Solve(*mesh_, query(), {}, checkpoint);
-  ASSERT_TRUE(field.ok());
+  const auto field = Solve(*mesh_, query(), {}, checkpoint).value();
   const std::vector<Progress>& polls = checkpoint.polls();
   ASSERT_GT(polls.size(), 5u);
   for (size_t i = 1; i < polls.size(); ++i) {
@@ -58,18 +55,17 @@ TEST_P(CheckpointTest, ProgressGrowsToTheEnd) {
   EXPECT_EQ(polls.back().vertices, mesh_->vertex_count());
   EXPECT_EQ(polls.back().live_windows, 0u);
   EXPECT_EQ(polls.back().windows_propagated,
-            field->statistics.windows_propagated);
+            field.statistics.windows_propagated);
 }
 
 // What a client is told while the wavefront moves must be true: no distance
 // below the settled radius changes any more.
 TEST_P(CheckpointTest, SettledRadiusNeverPassesAVertexStillToBeReached) {
   RecordingCheckpoint checkpoint;
-  const auto field = Solve(*mesh_, query(), {}, checkpoint);
-  ASSERT_TRUE(field.ok());
+  const auto field = Solve(*mesh_, query(), {}, checkpoint).value();
   for (const Progress& progress : checkpoint.polls()) {
     uint64_t within = 0;
-    for (double distance : field->distances) {
+    for (double distance : field.distances) {
       within += distance < progress.settled_radius * (1 - 1e-12);
     }
     EXPECT_LE(within, progress.vertices_reached);
@@ -125,8 +121,7 @@ TEST_P(CheckpointTest, IsAskedWhileSourcesAreEntered) {
   }
   const ValidQuery valid = *ValidQuery::Make(query, *mesh_);
   RecordingCheckpoint whole;
-  const auto field = Solve(*mesh_, query, {}, whole);
-  ASSERT_TRUE(field.ok());
+  const auto field = Solve(*mesh_, query, {}, whole).value();
   const auto entering = [](const Progress& progress) {
     return progress.windows_propagated == 0;
   };
@@ -140,7 +135,7 @@ TEST_P(CheckpointTest, IsAskedWhileSourcesAreEntered) {
   EXPECT_TRUE(std::ranges::all_of(computation->Field().distances,
                                   [](double d) { return std::isinf(d); }));
   ASSERT_TRUE(computation->Advance({}, stopped).ok());
-  EXPECT_EQ(computation->Field().distances, field->distances);
+  EXPECT_EQ(computation->Field().distances, field.distances);
 }
 
 TEST_P(CheckpointTest, RepeatsBitForBit) {
@@ -155,9 +150,8 @@ TEST_P(CheckpointTest, RepeatsBitForBit) {
 
 TEST_P(CheckpointTest, StatisticsAddUp) {
   NoCheckpoint checkpoint;
-  const auto field = Solve(*mesh_, query(), {}, checkpoint);
-  ASSERT_TRUE(field.ok());
-  const SolveStatistics& statistics = field->statistics;
+  const auto field = Solve(*mesh_, query(), {}, checkpoint).value();
+  const SolveStatistics& statistics = field.statistics;
   EXPECT_GT(statistics.windows_created, mesh_->face_count());
   EXPECT_LE(statistics.windows_propagated, statistics.windows_created);
   EXPECT_GT(statistics.iterations, 0u);
@@ -175,39 +169,16 @@ TEST(SolverBytesTest, CountWhatAVertexOfManyFacesTakes) {
     if (i > 0) soup.triangles.push_back({0, i, i + 1});
   }
   const auto mesh = Mesh::Build(std::move(soup)).value();
-  const auto field = Solve(*mesh, {.sources = {{VertexPoint{0}}}});
-  ASSERT_TRUE(field.ok());
+  const auto field = Solve(*mesh, {.sources = {{VertexPoint{0}}}}).value();
   // Of each spoke a path to its end, and a list that goes on.
-  EXPECT_GT(field->statistics.peak_solver_bytes, 64 * kSpokes);
+  EXPECT_GT(field.statistics.peak_solver_bytes, 64 * kSpokes);
 }
-
-class CollectingCheckpoint final : public Checkpoint {
- public:
-  explicit CollectingCheckpoint(const Mesh& mesh) : vertices_(mesh) {}
-
-  absl::Status Poll(const Progress& progress) override {
-    const size_t before = settled.size();
-    for (const SettledVertex& vertex : vertices_.Collect(progress)) {
-      settled.push_back(vertex);
-    }
-    early += progress.settled_radius < std::numeric_limits<double>::infinity()
-                 ? settled.size() - before
-                 : 0;
-    return absl::OkStatus();
-  }
-
-  std::vector<SettledVertex> settled;
-  size_t early = 0;  // given out while the wavefront still moved
-
- private:
-  SettledVertices vertices_;
-};
 
 // The certified frontier: every vertex once, in order, final when given out.
 TEST_P(CheckpointTest, SettledVerticesComeOnceInOrder) {
   const auto mesh =
       *Mesh::Build(AddIsolatedVertices(Terrain(30, 30, 1.0, 5), 2));
-  CollectingCheckpoint checkpoint(*mesh);
+  SettledCheckpoint checkpoint(*mesh);
   const DistanceField field =
       Solve(*mesh, Ask({.sources = {{VertexPoint{17}}}}), {}, checkpoint)
           .value();

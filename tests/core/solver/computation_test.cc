@@ -122,7 +122,7 @@ class ComputationTest : public EveryAlgorithm {
 // On a plane, where the answer is Euclid's.
 TEST_P(ComputationTest, IsExactUpToTheRadiusAndAbsentBeyond) {
   const TriangleSoup grid = MakeGrid({.columns = 14, .rows = 12});
-  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"grid", grid});
+  const auto mesh = BuildOrFail({"grid", grid});
   // At 5 lie the vertices (5, 0), (4, 3), (3, 4) and (0, 5).
   const Query query = Ask(
       {.sources = {{VertexPoint{0}}},
@@ -174,7 +174,7 @@ TEST_P(ComputationTest, StopsWhenSoManyTargetsAreCertified) {
 // Windows propagated stand for time: they are counted, not measured.
 TEST_P(ComputationTest, CostsWhatItCovers) {
   const TriangleSoup terrain = Terrain(36, 36, 1, 7);
-  const std::shared_ptr<const Mesh> mesh = BuildOrFail({"terrain", terrain});
+  const auto mesh = BuildOrFail({"terrain", terrain});
   // In the middle; so is the target.
   const Query query = Ask({.sources = {{VertexPoint{18 * 37 + 18}}},
                            .targets = {VertexPoint{18 * 37 + 20}}});
@@ -190,8 +190,7 @@ TEST_P(ComputationTest, CostsWhatItCovers) {
 }
 
 TEST_P(ComputationTest, NegativeAndUndefinedRadiiAreRefused) {
-  const std::shared_ptr<const Mesh> mesh =
-      BuildOrFail({"icosphere", Icosphere(1)});
+  const auto mesh = BuildOrFail({"icosphere", Icosphere(1)});
   const Query query = Ask({.sources = {{VertexPoint{3}}}});
   const auto computation = Start(*mesh, query);
   for (const double radius : {-1.0, -kInfinity, std::nan("")}) {
@@ -260,8 +259,7 @@ TEST_P(ComputationTest, TracedOneInStepsHasTheSameTrace) {
 }
 
 TEST_P(ComputationTest, CancelledKeepsWhatIsCertifiedAndGoesOn) {
-  const std::shared_ptr<const Mesh> mesh =
-      BuildOrFail({"terrain", Terrain(40, 40, 1, 5)});
+  const auto mesh = BuildOrFail({"terrain", Terrain(40, 40, 1, 5)});
   const Query query = Ask({.sources = {{VertexPoint{5}}},
                            .targets = {FacePoint{900, {0.25, 0.25, 0.5}}}});
   const DistanceField whole = SolveOrFail(*mesh, query);
@@ -280,8 +278,7 @@ TEST_P(ComputationTest, CancelledKeepsWhatIsCertifiedAndGoesOn) {
 
 // Again and again, a poll at a time, it still comes to the end.
 TEST_P(ComputationTest, CancelledOverAndOverComesToTheEnd) {
-  const std::shared_ptr<const Mesh> mesh =
-      BuildOrFail({"terrain", Terrain(24, 24, 1, 5)});
+  const auto mesh = BuildOrFail({"terrain", Terrain(24, 24, 1, 5)});
   const Query query = Ask({.sources = {{VertexPoint{5}}}});
   const DistanceField whole = SolveOrFail(*mesh, query);
   const auto computation = Start(*mesh, query);
@@ -342,8 +339,7 @@ TEST_P(ComputationTest, GoesOnWithAddedSourcesInSteps) {
 }
 
 TEST_P(ComputationTest, RefusesSourcesThatItCannotTake) {
-  const std::shared_ptr<const Mesh> mesh =
-      BuildOrFail({"icosphere", Icosphere(1)});
+  const auto mesh = BuildOrFail({"icosphere", Icosphere(1)});
   Query query = Ask({.sources = {{VertexPoint{3}}}});
   const auto computation = Start(*mesh, query);
   // It has not come to its end.

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "geodesic/computation.h"
@@ -70,7 +69,7 @@ void ExpectSameBits(const DistanceField& field, const DistanceField& expected) {
 TEST(ThreadsTest, AnyNumberGivesTheSameBits) {
   for (const test::NamedMesh& scene : WideScenes()) {
     SCOPED_TRACE(scene.name);
-    const std::shared_ptr<const Mesh> mesh = test::BuildOrFail(scene);
+    const auto mesh = test::BuildOrFail(scene);
     const Query query = Question(scene.soup);
     NoCheckpoint checkpoint;
     const auto expected = Solve(*mesh, query, {}, checkpoint);
@@ -85,7 +84,7 @@ TEST(ThreadsTest, AnyNumberGivesTheSameBits) {
 
 TEST(ThreadsTest, AComputationThatStopsGoesOnWithItsThreads) {
   const TriangleSoup soup = test::Terrain(50, 50, 1, 3);
-  const std::shared_ptr<const Mesh> mesh = test::BuildOrFail({"terrain", soup});
+  const auto mesh = test::BuildOrFail({"terrain", soup});
   const Query query = Question(soup);
   NoCheckpoint checkpoint;
   std::vector<DistanceField> fields;
@@ -102,8 +101,7 @@ TEST(ThreadsTest, AComputationThatStopsGoesOnWithItsThreads) {
 }
 
 TEST(ThreadsTest, NumbersOutOfRangeAreRefused) {
-  const std::shared_ptr<const Mesh> mesh =
-      test::BuildOrFail({"icosphere", test::Icosphere(0)});
+  const auto mesh = test::BuildOrFail({"icosphere", test::Icosphere(0)});
   NoCheckpoint checkpoint;
   for (const uint32_t threads : {0u, kMostSolveThreads + 1}) {
     const auto field = Solve(*mesh, {.sources = {{VertexPoint{0}}}},

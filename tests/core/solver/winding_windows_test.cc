@@ -173,6 +173,9 @@ TEST(ThinTubes, EndWithinTolerances) {
 // way it came.
 TEST(DoubledNeedles, EndWindingWindows) {
   // The last face is one too many: no distance depends on it.
+  const std::vector<Triangle> others = {{3, 2, 1}, {1, 3, 0}, {2, 1, 4},
+                                        {3, 0, 4}, {3, 2, 4}, {0, 4, 1},
+                                        {3, 2, 1}};
   const test::NamedMesh meshes[] = {
       {"turned over",
        {{{-1.7194217783051078, -3.8157623211173126, 0.6953751915559806},
@@ -186,13 +189,7 @@ TEST(DoubledNeedles, EndWindingWindows) {
          {-0.55859518465861246, 1.1267900042924819, 0.64677330333182337},
          {-1.1171903690321947, 2.2535800093006166, 1.2935466055630274},
          {-1.0941775091554562, 2.253625125425518, 1.3001341708691825}},
-        {{3, 2, 1},
-         {1, 3, 0},
-         {2, 1, 4},
-         {3, 0, 4},
-         {3, 2, 4},
-         {0, 4, 1},
-         {3, 2, 1}}}}};
+        others}}};
   for (const test::NamedMesh& named : meshes) {
     const auto doubled = test::BuildOrFail(named);
     test::NamedMesh single = named;

@@ -1,4 +1,4 @@
-#include "server/engine/rows/row_engine.h"
+#include "geodesic/rows/pairs.h"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,8 @@
 #include <vector>
 
 #include "geodesic/rows/kept_searches.h"
-#include "geodesic/rows/pairs.h"
-#include "geodesic_types/field_path.h"
 #include "server/engine/rows/pair_order.h"
+#include "server/engine/rows/row_engine.h"
 #include "tests/engine/engine_fixture.h"
 #include "tests/support/meshes/curved_meshes.h"
 #include "tests/support/meshes/planar_meshes.h"
@@ -33,9 +32,7 @@ class PairEngineTest : public test::EngineTest {
 
   void Hold(const TriangleSoup& soup) {
     soup_ = soup;
-    const auto uploaded = Upload(soup);
-    ASSERT_TRUE(uploaded.ok()) << uploaded.status();
-    digest_ = uploaded->mesh.digest;
+    digest_ = Upload(soup).value().mesh.digest;
   }
 
   absl::StatusOr<PairCall> Start(std::vector<PointPair> pairs) {
@@ -60,13 +57,12 @@ class PairEngineTest : public test::EngineTest {
   }
 
   void ExpectEuclid(const std::vector<PointPair>& pairs) {
-    const auto distances = Ask(pairs);
-    ASSERT_TRUE(distances.ok()) << distances.status();
-    ASSERT_EQ(distances->size(), pairs.size());
+    const auto distances = Ask(pairs).value();
+    ASSERT_EQ(distances.size(), pairs.size());
     for (size_t i = 0; i < pairs.size(); ++i) {
       const Point a = PositionOf(pairs[i].source, *call_.mesh->mesh);
       const Point b = PositionOf(pairs[i].target, *call_.mesh->mesh);
-      EXPECT_NEAR((*distances)[i],
+      EXPECT_NEAR(distances[i],
                   std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), 1e-12)
           << i;
     }
@@ -83,10 +79,9 @@ class PairEngineTest : public test::EngineTest {
 };
 
 TEST_F(PairEngineTest, HasLandmarksMadeForLaterQuestions) {
-  const auto call = Start({{VertexPoint{0}, VertexPoint{99}}});
-  ASSERT_TRUE(call.ok()) << call.status();
+  const auto call = Start({{VertexPoint{0}, VertexPoint{99}}}).value();
   executor_.RunOne();
-  EXPECT_TRUE(call->rows->Take().has_value());
+  EXPECT_TRUE(call.rows->Take().has_value());
   EXPECT_EQ(CountLandmarks(), 0);
   executor_.RunAll();
   EXPECT_EQ(CountLandmarks(), Landmarks::kMost);
@@ -99,28 +94,12 @@ TEST_F(PairEngineTest, ALongListHasLandmarksMadeFirst) {
     // No end is shared by so many that a field would pay.
     pairs.push_back({VertexPoint{i % 441}, VertexPoint{i * 5 % 441}});
   }
-  const auto call = Start(pairs);
-  ASSERT_TRUE(call.ok()) << call.status();
+  const auto call = Start(pairs).value();
   executor_.RunOne();
   EXPECT_EQ(CountLandmarks(), LandmarksWorth(pairs.size()));
-  call->rows->Cancel();
+  call.rows->Cancel();
   executor_.RunAll();
   ExpectEuclid(pairs);
-}
-
-TEST_F(PairEngineTest, SearchesPairsOfAnyPoints) {
-  const FacePoint in_face{7, {0.2, 0.3, 0.5}};
-  const EdgePoint on_edge{3, 4, 0.25};
-  ExpectEuclid({{VertexPoint{0}, VertexPoint{120}},
-                {in_face, VertexPoint{5}},
-                {on_edge, in_face},
-                {VertexPoint{9}, VertexPoint{9}},
-                {in_face, in_face}});
-  EXPECT_EQ(call_.algorithm, AlgorithmChoice(Algorithm::kFwpList));
-  EXPECT_EQ(counts().searched, 5);
-  EXPECT_EQ(counts().all(), 5);
-  EXPECT_GT(call_.rows->windows_propagated(), 0);
-  EXPECT_EQ(engine_.counters().pairs.searched, 5);
 }
 
 TEST_F(PairEngineTest, AFieldInTheCacheAnswersBothWays) {
@@ -138,22 +117,6 @@ TEST_F(PairEngineTest, AFieldInTheCacheAnswersBothWays) {
                 {VertexPoint{60}, EdgePoint{3, 4, 0.5}}});
   EXPECT_EQ(counts().from_cache, 2);
   EXPECT_EQ(counts().searched, 2);
-  std::vector<PointPair> star;
-  for (uint32_t i = 0; i < 50; ++i) {
-    star.push_back({VertexPoint{60}, VertexPoint{i}});
-  }
-  ExpectEuclid(star);
-  EXPECT_EQ(counts().from_cache, 50);
-}
-
-TEST_F(PairEngineTest, AFieldAnswersManyThatShareAnEnd) {
-  std::vector<PointPair> star;
-  for (uint32_t i = 0; i < kFieldInSearches; ++i) {
-    star.push_back({EdgePoint{3, 4, 0.5}, VertexPoint{i}});
-  }
-  ExpectEuclid(star);
-  EXPECT_EQ(counts().from_fields, kFieldInSearches);
-  EXPECT_EQ(engine_.counters().pairs.from_fields, kFieldInSearches);
 }
 
 // Whoever links the core alone has them from the same question.
@@ -164,20 +127,22 @@ TEST_F(PairEngineTest, HasTheBitsOfTheCore) {
     pairs.push_back({VertexPoint{i}, FacePoint{900 + i, {0.2, 0.3, 0.5}}});
     pairs.push_back({EdgePoint{40, 41, 0.25}, VertexPoint{900 - 7 * i}});
   }
-  const auto distances = Ask(pairs);
-  ASSERT_TRUE(distances.ok()) << distances.status();
+  const auto distances = Ask(pairs).value();
+  EXPECT_EQ(call_.algorithm, AlgorithmChoice(Algorithm::kFwpList));
   EXPECT_EQ(counts().searched, kFieldInSearches);
   EXPECT_EQ(counts().from_fields, kFieldInSearches);
+  EXPECT_EQ(engine_.counters().pairs.searched, kFieldInSearches);
+  EXPECT_EQ(engine_.counters().pairs.from_fields, kFieldInSearches);
+  EXPECT_GT(call_.rows->windows_propagated(), 0);
   const Mesh& mesh = *call_.mesh->mesh;
   KeptSearches searches(mesh);
   NoCheckpoint checkpoint;
-  const auto question = PairQuestion::Make(mesh, pairs, {}, searches, 1);
-  ASSERT_TRUE(question.ok()) << question.status();
-  for (uint64_t row = 0; row < (*question)->rows().size(); ++row) {
-    const auto found = (*question)->Answer(row, checkpoint);
-    ASSERT_TRUE(found.ok()) << found.status();
-    for (size_t i = 0; i < found->values.size(); ++i) {
-      EXPECT_EQ((*distances)[found->columns[i]], found->values[i]);
+  const auto question =
+      PairQuestion::Make(mesh, pairs, {}, searches, 1).value();
+  for (uint64_t row = 0; row < question->rows().size(); ++row) {
+    const auto found = question->Answer(row, checkpoint).value();
+    for (size_t i = 0; i < found.values.size(); ++i) {
+      EXPECT_EQ(distances[found.columns[i]], found.values[i]);
     }
   }
 }
@@ -194,25 +159,8 @@ TEST_F(PairEngineTest, ARowHasItsMemoryBeforeItBegins) {
   ASSERT_TRUE(Ask(star).ok());
   KeptSearches searches(*call_.mesh->mesh);
   const auto question =
-      PairQuestion::Make(*call_.mesh->mesh, star, {}, searches, 1);
-  ASSERT_TRUE(question.ok()) << question.status();
-  EXPECT_EQ(used, (*question)->PlannedBytes() + (*question)->RowBytes());
-}
-
-TEST_F(PairEngineTest, WrongPairsAreNamed) {
-  const auto fault = [&](std::vector<PointPair> pairs) {
-    const absl::Status status = Start(std::move(pairs)).status();
-    EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
-    return FieldPathOf(status).value_or("none");
-  };
-  EXPECT_EQ(fault({}), "pairs");
-  EXPECT_EQ(fault({{VertexPoint{0}, VertexPoint{1}},
-                   {VertexPoint{500}, VertexPoint{1}}}),
-            "pairs[1].source.vertex");
-  EXPECT_EQ(fault({{VertexPoint{0}, EdgePoint{0, 1, 2}}}),
-            "pairs[0].target.edge.t");
-  digest_ = "abc";
-  EXPECT_EQ(fault({{VertexPoint{0}, VertexPoint{1}}}), "mesh_digest");
+      PairQuestion::Make(*call_.mesh->mesh, star, {}, searches, 1).value();
+  EXPECT_EQ(used, question->PlannedBytes() + question->RowBytes());
 }
 
 TEST_F(PairEngineTest, KeepsItsSearchAndGivesItUpForOthers) {
@@ -231,16 +179,15 @@ TEST_F(PairEngineTest, CancellingStopsTheSearches) {
   for (uint32_t i = 0; i < 100; ++i) {
     pairs.push_back({VertexPoint{i}, VertexPoint{120 - i}});
   }
-  absl::StatusOr<PairCall> call = Start(pairs);
-  ASSERT_TRUE(call.ok()) << call.status();
+  PairCall call = Start(pairs).value();
   int looks = 0;
   clock_.at_look = [&] {
-    if (++looks == 20) call->rows->Cancel();
+    if (++looks == 20) call.rows->Cancel();
   };
   executor_.RunAll();
   clock_.at_look = nullptr;
-  EXPECT_GT(call->work->answered.counts().searched, 0);
-  EXPECT_LT(call->work->answered.counts().searched, 32);
+  EXPECT_GT(call.work->answered.counts().searched, 0);
+  EXPECT_LT(call.work->answered.counts().searched, 32);
   EXPECT_EQ(engine_.scheduler().running(), 0);
   EXPECT_EQ(engine_.scheduler().queued(), 0);
   // The search that was stopped answers the next question.
@@ -248,36 +195,16 @@ TEST_F(PairEngineTest, CancellingStopsTheSearches) {
 }
 
 TEST_F(PairEngineTest, DeadlinesHold) {
-  auto call =
-      engine_.rows().ComputePairs({.mesh_digest = digest_,
-                               .pairs = {{VertexPoint{0}, VertexPoint{1}}},
-                               .deadline = clock_.Now()},
-                              [] {});
-  ASSERT_TRUE(call.ok()) << call.status();
+  auto call = engine_.rows()
+                  .ComputePairs({.mesh_digest = digest_,
+                                 .pairs = {{VertexPoint{0}, VertexPoint{1}}},
+                                 .deadline = clock_.Now()},
+                                [] {})
+                  .value();
   executor_.RunAll();
-  const auto row = call->rows->Take();
+  const auto row = call.rows->Take();
   ASSERT_TRUE(row.has_value());
   EXPECT_TRUE(absl::IsDeadlineExceeded(row->status()));
-}
-
-class TightEngineTest : public test::EngineTest {
- protected:
-  static Limits Tight() {
-    Limits limits = SmallLimits();
-    limits.solver_memory_bytes = 1000;
-    return limits;
-  }
-  TightEngineTest() : EngineTest(Tight()) {}
-};
-
-TEST_F(TightEngineTest, WhatNeverFitsIsRefusedAtOnce) {
-  const auto uploaded = Upload(MakeGrid({.columns = 10, .rows = 10}));
-  ASSERT_TRUE(uploaded.ok()) << uploaded.status();
-  const auto call =
-      engine_.rows().ComputePairs({.mesh_digest = uploaded->mesh.digest,
-                               .pairs = {{VertexPoint{0}, VertexPoint{1}}}},
-                              [] {});
-  EXPECT_TRUE(absl::IsResourceExhausted(call.status())) << call.status();
 }
 
 }  // namespace

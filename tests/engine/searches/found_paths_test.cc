@@ -1,5 +1,5 @@
-// Questions about few targets, which are searched for: paths and small
-// matrices. On the grid geodesics are straight, so every distance is Euclid's.
+// Paths to few targets, which are searched for. On the grid geodesics are
+// straight, so every distance is Euclid's.
 
 #include <gtest/gtest.h>
 
@@ -27,9 +27,7 @@ double Euclid(const Point& a, const Point& b) {
 class FoundPathsTest : public test::EngineTest {
  protected:
   void SetUp() override {
-    const auto uploaded = Upload(MakeGrid({.columns = 10, .rows = 10}));
-    ASSERT_TRUE(uploaded.ok()) << uploaded.status();
-    digest_ = uploaded->mesh.digest;
+    digest_ = Upload(MakeGrid({.columns = 10, .rows = 10})).value().mesh.digest;
     mesh_ = *engine_.meshes().Get(digest_);
   }
 
@@ -121,52 +119,6 @@ TEST_F(FoundPathsTest, EqualQuestionsShareASearch) {
   ASSERT_EQ(engine_.fields().Compute(request, b)->origin, FieldOrigin::kJoined);
   executor_.RunAll();
   EXPECT_EQ((*a->answer)->derived, (*b->answer)->derived);
-}
-
-class SmallMatrixTest : public FoundPathsTest {
- protected:
-  MatrixRequest From(std::vector<uint32_t> sources,
-                     std::vector<SurfacePoint> targets) const {
-    MatrixRequest request{.mesh_digest = digest_};
-    for (const uint32_t source : sources) {
-      request.query.sources.push_back({VertexPoint{source}});
-    }
-    request.query.targets = std::move(targets);
-    return request;
-  }
-
-  std::vector<AnswerRow> Rows(MatrixRequest request) {
-    auto call = engine_.rows().ComputeMatrix(std::move(request), [] {});
-    EXPECT_TRUE(call.ok()) << call.status();
-    std::vector<AnswerRow> rows;
-    while (rows.size() < call->row_count) {
-      executor_.RunAll();
-      auto row = call->rows->Take();
-      EXPECT_TRUE(row.has_value() && row->ok());
-      rows.push_back(**std::move(row));
-    }
-    return rows;
-  }
-
-  size_t searches() const { return engine_.searches().pool().idle(); }
-};
-
-TEST_F(SmallMatrixTest, EachTargetIsSearchedFor) {
-  const std::vector<uint32_t> sources{0, 60, 17};
-  const std::vector<SurfacePoint> targets{VertexPoint{120},
-                                          FacePoint{7, {0.2, 0.3, 0.5}}};
-  const std::vector<AnswerRow> rows = Rows(From(sources, targets));
-  EXPECT_GT(searches(), 0);
-  for (size_t s = 0; s < sources.size(); ++s) {
-    ASSERT_EQ(rows[s].values.size(), targets.size());
-    for (size_t t = 0; t < targets.size(); ++t) {
-      EXPECT_NEAR(
-          rows[s].values[t],
-          Euclid(PositionOf(VertexPoint{sources[s]}), PositionOf(targets[t])),
-          1e-12)
-          << s << ", " << t;
-    }
-  }
 }
 
 }  // namespace

@@ -23,9 +23,7 @@ class LandmarkFilesTest : public test::DurableEngineTest {
  protected:
   void SetUp() override {
     DurableEngineTest::SetUp();
-    const auto uploaded = Upload(geodesic::test::Icosphere(3));
-    ASSERT_TRUE(uploaded.ok()) << uploaded.status();
-    digest_ = uploaded->mesh.digest;
+    digest_ = Upload(geodesic::test::Icosphere(3)).value().mesh.digest;
   }
 
   // What a question gets, once idle time has passed.

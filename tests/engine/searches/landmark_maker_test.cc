@@ -181,15 +181,6 @@ TEST_F(LandmarkMakerTest, AJobGetsTheMemoryOfAStep) {
   EXPECT_EQ(Count(), Landmarks::kMost);
 }
 
-TEST_F(LandmarkMakerTest, TheyGoWithTheirMesh) {
-  Wanted();
-  executor_.RunAll();
-  EXPECT_GT(Used(), 0);
-  EXPECT_TRUE(Delete(mesh_->digest).ok());
-  EXPECT_EQ(Used(), 0);
-  EXPECT_EQ(Count(), 0);
-}
-
 TEST_F(LandmarkMakerTest, NoMoreAreMadeOfAMeshThatIsGone) {
   int started = 0;
   AtEachStart([&](const ValidQuery&) {

@@ -19,33 +19,22 @@ Polyhedron Tetrahedron() {
 }
 
 Polyhedron Octahedron() {
+  const std::vector<std::vector<uint32_t>> faces = {
+      {0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+      {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
   return {"octahedron",
           {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
-          {{0, 2, 4},
-           {2, 1, 4},
-           {1, 3, 4},
-           {3, 0, 4},
-           {2, 0, 5},
-           {1, 2, 5},
-           {3, 1, 5},
-           {0, 3, 5}}};
+          faces};
 }
 
 Polyhedron Icosahedron() {
   const double phi = std::numbers::phi;
+  const std::vector<Point> vertices = {
+      {-1, phi, 0}, {1, phi, 0}, {-1, -phi, 0}, {1, -phi, 0},
+      {0, -1, phi}, {0, 1, phi}, {0, -1, -phi}, {0, 1, -phi},
+      {phi, 0, -1}, {phi, 0, 1}, {-phi, 0, -1}, {-phi, 0, 1}};
   return {"icosahedron",
-          {{-1, phi, 0},
-           {1, phi, 0},
-           {-1, -phi, 0},
-           {1, -phi, 0},
-           {0, -1, phi},
-           {0, 1, phi},
-           {0, -1, -phi},
-           {0, 1, -phi},
-           {phi, 0, -1},
-           {phi, 0, 1},
-           {-phi, 0, -1},
-           {-phi, 0, 1}},
+          vertices,
           {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
            {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
            {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
@@ -53,21 +42,13 @@ Polyhedron Icosahedron() {
 }
 
 Polyhedron Box(double a, double b, double c) {
-  return {"box",
-          {{0, 0, 0},
-           {a, 0, 0},
-           {a, b, 0},
-           {0, b, 0},
-           {0, 0, c},
-           {a, 0, c},
-           {a, b, c},
-           {0, b, c}},
-          {{0, 3, 2, 1},
-           {4, 5, 6, 7},
-           {0, 1, 5, 4},
-           {1, 2, 6, 5},
-           {2, 3, 7, 6},
-           {3, 0, 4, 7}}};
+  const std::vector<Point> vertices = {{0, 0, 0}, {a, 0, 0}, {a, b, 0},
+                                       {0, b, 0}, {0, 0, c}, {a, 0, c},
+                                       {a, b, c}, {0, b, c}};
+  const std::vector<std::vector<uint32_t>> faces = {{0, 3, 2, 1}, {4, 5, 6, 7},
+                                                    {0, 1, 5, 4}, {1, 2, 6, 5},
+                                                    {2, 3, 7, 6}, {3, 0, 4, 7}};
+  return {"box", vertices, faces};
 }
 
 TriangleSoup Triangulate(const Polyhedron& polyhedron) {
