@@ -144,8 +144,11 @@ TEST_F(FieldQuestionsTest, ASmallAnswerThatIsThereIsOneMessage) {
   Answered(request);
   const Reply reply = Answered(request);
   EXPECT_EQ(reply.messages.size(), 1);
-  EXPECT_EQ(reply.Values<double>("target_distance"),
-            (std::vector<double>{5, 7.5, 2}));
+  const auto distances = reply.Values<double>("target_distance");
+  ASSERT_EQ(distances.size(), 3);
+  EXPECT_NEAR(distances[0], 5, 1e-10);
+  EXPECT_NEAR(distances[1], 7.5, 1e-10);
+  EXPECT_NEAR(distances[2], 2, 1e-10);
   EXPECT_EQ(reply.header().origin(), v1::ANSWER_ORIGIN_CACHED);
   EXPECT_EQ(reply.trailer().origin(), v1::ANSWER_ORIGIN_CACHED);
   EXPECT_EQ(reply.Values<double>("distance").size(), soup_.positions.size());
