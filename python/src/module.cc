@@ -18,8 +18,8 @@ py::list Algorithms() {
   return algorithms;
 }
 
-// (name, parameter, its default) of each approximate method; None for both where
-// it takes none.
+// (name, parameter, its default) of each approximate method; None for both
+// where it takes none.
 py::list Methods() {
   const MethodChoice defaults;
   py::list methods;
@@ -36,8 +36,7 @@ py::list Methods() {
       parameter = py::str("samples");
       value = py::int_(defaults.samples);
     }
-    methods.append(
-        py::make_tuple(py::str(info.name.data()), parameter, value));
+    methods.append(py::make_tuple(py::str(info.name.data()), parameter, value));
   }
   return methods;
 }

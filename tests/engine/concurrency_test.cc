@@ -256,8 +256,8 @@ TEST_F(EngineConcurrencyTest, MatricesShareTheThreads) {
       return;
     }
     const auto observer = std::make_shared<TakingObserver>();
-    const auto call =
-        engine_.rows().ComputeMatrix(request, [observer] { observer->OnRow(); });
+    const auto call = engine_.rows().ComputeMatrix(
+        request, [observer] { observer->OnRow(); });
     ASSERT_TRUE(call.ok()) << call.status();
     observer->SetRows(call->rows);
     const std::vector<AnswerRow> rows = observer->Wait(30);

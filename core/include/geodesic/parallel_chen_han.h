@@ -1,6 +1,7 @@
-// Parallel Chen-Han: exact like those of geodesic_types/algorithms.h, by levels in all
-// threads and without a queue. It stands apart from these because neither its
-// time nor its memory has a useful bound: it is here to compare with.
+// Parallel Chen-Han: exact like those of geodesic_types/algorithms.h, by levels
+// in all threads and without a queue. It stands apart from these because
+// neither its time nor its memory has a useful bound: it is here to compare
+// with.
 //
 //   absl::StatusOr<DistanceField> field =
 //       SolveByLevels(*mesh, query, {.threads = 8}, checkpoint);

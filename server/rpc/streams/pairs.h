@@ -13,8 +13,8 @@
 #include "geodesic/path.h"
 #include "geodesic/v1/question_service.pb.h"
 #include "server/engine/jobs/row_pipeline.h"
-#include "server/engine/rows/pair_order.h"
 #include "server/engine/query_engine.h"
+#include "server/engine/rows/pair_order.h"
 #include "server/rpc/messages/translation.h"
 #include "server/rpc/streams/row_question.h"
 

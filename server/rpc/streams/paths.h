@@ -92,7 +92,7 @@ class PathStream final : public FieldQuestion<v1::ComputePathsRequest> {
     if (rows_ == nullptr) {
       auto rows =
           engine().rows().TracePaths(call(), answer(), deadline(), requester(),
-                              [self = Shared(this)] { self->OnPath(); });
+                                     [self = Shared(this)] { self->OnPath(); });
       if (!rows.ok()) return rows.status();
       rows_ = *std::move(rows);
     }

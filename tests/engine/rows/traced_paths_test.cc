@@ -50,9 +50,9 @@ class TracedPathsTest : public test::EngineTest {
   std::shared_ptr<RowPipeline> Trace(
       TimePoint deadline = kNoDeadline,
       std::shared_ptr<const void> account = nullptr) {
-    return *engine_.rows().TracePaths(*call_, answer_, deadline,
-                               {.client = "a", .account = std::move(account)},
-                               [] {});
+    return *engine_.rows().TracePaths(
+        *call_, answer_, deadline,
+        {.client = "a", .account = std::move(account)}, [] {});
   }
 
   // In all rows, in order.
