@@ -83,7 +83,7 @@ class BinaryReader {
 
 // What records begin with, so that none is taken for another. A record that
 // changes gets a new number.
-inline constexpr uint32_t kMeshRecord = 3;
+inline constexpr uint32_t kMeshRecord = 4;
 inline constexpr uint32_t kFieldRecord = 2;
 inline constexpr uint32_t kLandmarksRecord = 1002;
 inline constexpr uint32_t kGraphRecord = 2001;

@@ -8,6 +8,7 @@
 #include "surface/surface_location.h"
 
 namespace geodesic {
+
 FaceSources::FaceSources(const Mesh& mesh, std::span<const Anchor> anchors)
     : mesh_(mesh), anchors_(anchors) {
   for (uint32_t i = 0; i < anchors.size(); ++i) {
