@@ -21,10 +21,8 @@ using prometheus::MetricFamily;
 using prometheus::MetricType;
 
 // In seconds: from a cached field on loopback to the longest solve.
-const Histogram::BucketBoundaries& Buckets() {
-  static const Histogram::BucketBoundaries buckets = {
-      0.0003, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1, 3, 10, 30, 100, 300};
-  return buckets;
+Histogram::BucketBoundaries Buckets() {
+  return {0.0003, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1, 3, 10, 30, 100, 300};
 }
 
 Family<Counter>& AddCounter(prometheus::Registry& registry,

@@ -327,7 +327,11 @@ absl::Status BlobStore::MakeRoom(uint64_t bytes, size_t count) {
       }
       victim = *recency_.front();
     }
-    absl::Status status = Erase(victim);
+    absl::Status status;
+    {
+      const NameHold hold(*this, victim);
+      status = Unlink(victim);
+    }
     if (!status.ok() && !absl::IsNotFound(status)) return status;
     if (!status.ok()) continue;
     {
@@ -503,6 +507,11 @@ void BlobStore::SetAside(const std::string& name, ino_t inode,
 
 absl::Status BlobStore::Erase(const std::string& name) {
   const NameHold hold(*this, name);
+  absl::Status status = Unlink(name);
+  return status.ok() ? Flush(PathOf(name)) : status;
+}
+
+absl::Status BlobStore::Unlink(const std::string& name) {
   {
     MutexLock lock(mutex_);
     if (!entries_.contains(name)) {
@@ -513,11 +522,9 @@ absl::Status BlobStore::Erase(const std::string& name) {
       errno != ENOENT) {
     return DiskError(errno, "remove", PathOf(name));
   }
-  {
-    MutexLock lock(mutex_);
-    if (const auto it = entries_.find(name); it != entries_.end()) Remove(it);
-  }
-  return Flush(PathOf(name));
+  MutexLock lock(mutex_);
+  if (const auto it = entries_.find(name); it != entries_.end()) Remove(it);
+  return absl::OkStatus();
 }
 
 bool BlobStore::HasRoom(uint64_t bytes, size_t count) const {

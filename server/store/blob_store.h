@@ -191,7 +191,11 @@ class BlobStore final : public Blobs {
   absl::StatusOr<BlobInfo> ReadInfo(int file, uint64_t size,
                                     const std::string& name,
                                     BlobHeader& header) const;
-  // Reserves room for `count` files that take `bytes` together.
+  // Removes the file and its entry, on the disk with the next flush. Errors: as
+  // Erase. REQUIRES: the name is held.
+  absl::Status Unlink(const std::string& name);
+  // Reserves room for `count` files that take `bytes` together. Does not wait
+  // for the disk: what is evicted may come back if the machine dies.
   absl::Status MakeRoom(uint64_t bytes, size_t count);
   // Put and Read without counting.
   absl::Status Keep(const std::string& name, std::string_view metadata,

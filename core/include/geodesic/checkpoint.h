@@ -39,9 +39,9 @@ class Checkpoint {
   virtual ~Checkpoint() = default;
 
   // The solver calls this from its own thread, once before the first window and
-  // then at least every few thousand windows (well under 10 ms apart, but all
-  // faces around a vertex are opened in one go, which takes a microsecond
-  // each). A status that is not OK stops the solver, which returns that status.
+  // then at least every few thousand windows or faces around a vertex (well
+  // under 10 ms apart). A status that is not OK stops the solver, which returns
+  // that status.
   virtual absl::Status Poll(const Progress& progress) = 0;
 };
 

@@ -16,6 +16,7 @@
 #include "solver/goal.h"
 #include "solver/queues/queue.h"
 #include "solver/rules/front.h"
+#include "solver/rules/hub.h"
 #include "solver/windows/window.h"
 #include "solver/work_meter.h"
 #include "surface/anchors.h"
@@ -31,7 +32,8 @@ class LocalSearch {
       : mesh_(mesh),
         queue_(tuning),
         front_(mesh, Query{.trace = true}, queue_, nullptr, NearGoal()),
-        rule_(MakeRule(front_)) {}
+        rule_(MakeRule(front_)),
+        hubs_(front_, rule_) {}
 
   // A vertex and its distance in the scaled unit.
   struct Near {
@@ -53,7 +55,8 @@ class LocalSearch {
     near_.clear();
     bool was_stopped = false;
     uint64_t steps = 0;
-    while (queue_.SettledRadius() <= front_.goal().limit()) {
+    while (!hubs_.empty() ||
+           queue_.SettledRadius() <= front_.goal().limit()) {
       const uint64_t taken = Step();
       if (taken == 0) break;
       LowerLimit(count);
@@ -70,7 +73,7 @@ class LocalSearch {
   }
 
   uint64_t bytes() const {
-    return front_.bytes() + rule_.bytes() + queue_.bytes();
+    return front_.bytes() + rule_.bytes() + queue_.bytes() + hubs_.bytes();
   }
 
  private:
@@ -94,16 +97,23 @@ class LocalSearch {
   // Propagates what the queue gives next. Returns how many steps that were: 0
   // if nothing is left.
   uint64_t Step() {
-    uint64_t steps = 0;
     const uint64_t before = rule_.steps();
+    if (!hubs_.empty()) {
+      const uint64_t faces = hubs_.GoOn();
+      return std::max(faces, rule_.steps() - before);
+    }
+    uint64_t steps = 1;
     if constexpr (kTogether) {
       PopTogether(queue_, rule_.most_together(), together_);
+      if (together_.empty()) return 0;
+      std::erase_if(together_, [this](uint32_t id) { return hubs_.Take(id); });
       for (const uint32_t id : together_) steps += StepsOf(mesh_, id);
       rule_.Propagate(together_);
     } else {
       const uint32_t id = queue_.Pop();
       if (id == kNothing) return 0;
       steps = StepsOf(mesh_, id);
+      if (hubs_.Take(id)) return 1;
       if (id & kVertexEvent) {
         const uint32_t v = id & ~kVertexEvent;
         DirectSink sink(front_, rule_);
@@ -155,6 +165,7 @@ class LocalSearch {
       queue_.Restart();
       rule_.Clear();
     }
+    hubs_.Clear();
     reached_before_ = 0;
   }
 
@@ -163,6 +174,7 @@ class LocalSearch {
   Queue queue_;
   FrontType front_;
   RuleType rule_;
+  Hubs<FrontType, RuleType> hubs_;
   std::vector<uint32_t> together_;
   std::vector<double> distances_;  // scratch
   size_t reached_before_ = 0;

@@ -32,12 +32,14 @@ BackwardBounds::BackwardBounds(const Mesh& mesh)
     : queue_(*TuningFor(mesh, kOptions)),
       front_(mesh, Query{}, queue_, nullptr, Goal(mesh),
              WithinTolerance(kTolerance)),
-      rule_(front_) {}
+      rule_(front_),
+      hubs_(front_, rule_) {}
 
 absl::Status BackwardBounds::Find(const BoundedWay& way,
                                   const Landmarks* landmarks,
                                   absl::FunctionRef<absl::Status()> poll) {
   rule_.Clear();
+  hubs_.Clear();
   queue_.Clear();
   front_.Restart({.targets = {way.source}});
   Goal& goal = front_.goal();
@@ -56,11 +58,17 @@ absl::Status BackwardBounds::Find(const BoundedWay& way,
   front_.AddAnchor({.begin = way.target, .end = way.target}, sink);
   uint64_t steps = 0;
   for (;;) {
-    PopTogether(queue_, rule_.most_together(), together_);
-    if (together_.empty()) break;
-    const uint64_t windows = rule_.Propagate(together_);
-    windows_ += windows;
-    steps += std::max<uint64_t>(together_.size(), windows);
+    if (!hubs_.empty()) {
+      steps += hubs_.GoOn();
+    } else {
+      PopTogether(queue_, rule_.most_together(), together_);
+      if (together_.empty()) break;
+      steps += together_.size();
+      std::erase_if(together_, [this](uint32_t id) { return hubs_.Take(id); });
+      const uint64_t windows = rule_.Propagate(together_);
+      windows_ += windows;
+      steps += windows;
+    }
     if (steps < kWorkBetweenPolls) continue;
     steps = 0;
     if (absl::Status status = poll(); !status.ok()) return status;

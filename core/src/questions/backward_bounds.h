@@ -17,6 +17,7 @@
 #include "solver/goal.h"
 #include "solver/queues/fwp_buckets.h"
 #include "solver/rules/front.h"
+#include "solver/rules/hub.h"
 #include "solver/rules/merging_rule.h"
 #include "solver/windows/window.h"
 
@@ -60,7 +61,7 @@ class BackwardBounds {
   uint64_t windows() const { return windows_; }
   uint64_t bytes() const {
     return queue_.bytes() + front_.bytes() + front_.goal().bytes() +
-           rule_.bytes();
+           rule_.bytes() + hubs_.bytes();
   }
 
   // What it holds for each vertex and half-edge of a mesh.
@@ -77,6 +78,7 @@ class BackwardBounds {
   FwpBuckets queue_;
   MergingFront front_;
   MergingRule<MergingFront> rule_;
+  Hubs<MergingFront, MergingRule<MergingFront>> hubs_;
   double covered_ = 0;  // the largest key that was propagated
   double longest_ = 0;
   bool has_bounds_ = false;

@@ -19,6 +19,7 @@
 #include "solver/queues/queue.h"
 #include "solver/rules/edge_relaxation.h"
 #include "solver/rules/front.h"
+#include "solver/rules/hub.h"
 #include "solver/rules/list_rule.h"
 #include "solver/start_computation.h"
 #include "solver/work_meter.h"
@@ -78,6 +79,7 @@ class TargetSearch::Impl {
         queue_(*TuningFor(mesh, kSearchOptions)),
         front_(mesh, Query{}, queue_, nullptr, Goal(mesh)),
         rule_(front_, 1),
+        hubs_(front_, rule_),
         first_path_(mesh) {}
 
   absl::StatusOr<TargetDistances> Run(const ValidQuery& query,
@@ -126,7 +128,7 @@ class TargetSearch::Impl {
 
   uint64_t bytes() const {
     return front_.bytes() + front_.goal().bytes() + rule_.bytes() +
-           queue_.bytes() + first_path_.bytes() +
+           hubs_.bytes() + queue_.bytes() + first_path_.bytes() +
            (backward_.has_value() ? backward_->bytes() : 0);
   }
 
@@ -290,6 +292,7 @@ class TargetSearch::Impl {
 
   void Restart(const ValidQuery& query) {
     rule_.Clear();
+    hubs_.Clear();
     queue_.Clear();
     front_.Restart(*query);
   }
@@ -357,17 +360,24 @@ class TargetSearch::Impl {
         steps = 0;
         if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
       }
+      if (!hubs_.empty()) {
+        const uint64_t before = rule_.steps();
+        const uint64_t faces = hubs_.GoOn();
+        steps += std::max(faces, rule_.steps() - before);
+        continue;
+      }
       PassBends();
       front_.goal().set_limit(Margin(Limit()));
       if (queue_.SettledRadius() > front_.goal().limit()) break;
       if (GivesWay()) break;
       PopTogether(queue_, rule_.most_together(), together_);
       if (together_.empty()) break;
-      uint64_t events = 0;
       for (const uint32_t id : together_) {
         statistics_.pseudo_source_events += (id & kVertexEvent) != 0;
-        events += StepsOf(mesh_, id);
       }
+      std::erase_if(together_, [this](uint32_t id) { return hubs_.Take(id); });
+      uint64_t events = 0;
+      for (const uint32_t id : together_) events += StepsOf(mesh_, id);
       const uint64_t before = rule_.steps();
       const uint64_t windows = rule_.Propagate(together_);
       statistics_.windows_propagated += windows;
@@ -429,6 +439,7 @@ class TargetSearch::Impl {
   FwpBuckets queue_;
   DirectedFront front_;
   Rule rule_;
+  Hubs<DirectedFront, Rule> hubs_;
   FirstPath first_path_;
   std::optional<BackwardBounds> backward_;  // once it was asked for
   double tolerance_ = 0;

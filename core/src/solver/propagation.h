@@ -29,6 +29,7 @@
 #include "solver/queues/queue.h"
 #include "solver/rules/edge_relaxation.h"
 #include "solver/rules/front.h"
+#include "solver/rules/hub.h"
 #include "solver/windows/window_observer.h"
 #include "solver/work_meter.h"
 #include "surface/anchors.h"
@@ -50,7 +51,8 @@ class Propagation final : public Computation {
         pending_anchors_(PendingAnchors(query)),
         queue_(tuning),
         front_(mesh, *query, queue_, observer, {}, AccuracyOf(*query)),
-        rule_(MakeRule(front_, tuning)) {}
+        rule_(MakeRule(front_, tuning)),
+        hubs_(front_, rule_) {}
 
   absl::Status Advance(const Reach& reach, Checkpoint& checkpoint) override {
     if (!(reach.radius >= 0)) {
@@ -136,7 +138,7 @@ class Propagation final : public Computation {
   }
 
   uint64_t bytes() const override {
-    return front_.bytes() + rule_.bytes() + queue_.bytes();
+    return front_.bytes() + rule_.bytes() + queue_.bytes() + hubs_.bytes();
   }
   // For what a queue has recorded about the run.
   const Queue& queue() const { return queue_; }
@@ -305,7 +307,9 @@ class Propagation final : public Computation {
     return taken;
   }
 
+  // Whether something goes on that was taken from the queue and left halfway.
   bool HasToSpread() const {
+    if (!hubs_.empty()) return true;
     if constexpr (ToldOfWideEdges<RuleType>) {
       return rule_.HasToSpread();
     } else {
@@ -315,17 +319,25 @@ class Propagation final : public Computation {
   // REQUIRES: HasToSpread(). Returns how many steps that were, at least one.
   uint64_t Spread() {
     const uint64_t before = rule_.steps();
-    if constexpr (ToldOfWideEdges<RuleType>) rule_.Spread();
-    return std::max<uint64_t>(1, rule_.steps() - before);
+    if constexpr (ToldOfWideEdges<RuleType>) {
+      if (rule_.HasToSpread()) {
+        rule_.Spread();
+        return std::max<uint64_t>(1, rule_.steps() - before);
+      }
+    }
+    const uint64_t faces = hubs_.GoOn();
+    return std::max(faces, rule_.steps() - before);
   }
 
   // The next one.
   uint64_t Step() {
+    taken_from_ = queue_.SettledRadius();
     const uint32_t id = queue_.Pop();
     if (id == kNothing) return 0;
     PrefetchUpcoming();
     if (id & kVertexEvent) {
       ++statistics_.pseudo_source_events;
+      if (hubs_.Take(id)) return 1;
       const uint32_t v = id & ~kVertexEvent;
       DirectSink sink(front_, rule_);
       if (!front_.TakeEvent(v)) return 1;
@@ -341,12 +353,15 @@ class Propagation final : public Computation {
 
   // All whose order the queue knows already.
   uint64_t StepTogether() {
+    taken_from_ = queue_.SettledRadius();
     PopTogether(queue_, rule_.most_together(), together_);
-    uint64_t steps = 0;
+    if (together_.empty()) return 0;
     for (const uint32_t id : together_) {
       statistics_.pseudo_source_events += (id & kVertexEvent) != 0;
-      steps += StepsOf(mesh(), id);
     }
+    std::erase_if(together_, [this](uint32_t id) { return hubs_.Take(id); });
+    uint64_t steps = 1;
+    for (const uint32_t id : together_) steps += StepsOf(mesh(), id);
     const uint64_t before = rule_.steps();
     const uint64_t windows = rule_.Propagate(together_);
     statistics_.windows_propagated += windows;
@@ -409,10 +424,13 @@ class Propagation final : public Computation {
   // Every distance up to here is final. What is pending, and all that comes of
   // it, is no nearer than its label says, less what is spent on merges.
   double SettledRadius() const {
+    const double settled = HasToSpread()
+                               ? std::min(taken_from_, queue_.SettledRadius())
+                               : queue_.SettledRadius();
     if constexpr (Accuracy::kMerges) {
-      return queue_.SettledRadius() / (1 + front_.accuracy().share());
+      return settled / (1 + front_.accuracy().share());
     } else {
-      return queue_.SettledRadius();
+      return settled;
     }
   }
 
@@ -424,6 +442,8 @@ class Propagation final : public Computation {
   FrontType front_;
   RuleType rule_;
   std::vector<uint32_t> together_;  // of one step
+  Hubs<FrontType, RuleType> hubs_;
+  double taken_from_ = 0;           // what was settled when they were taken
   SolveStatistics statistics_;
   double wavefront_sum_ = 0;
   uint64_t wavefront_samples_ = 0;

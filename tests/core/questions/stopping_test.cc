@@ -212,6 +212,36 @@ TEST(Stopping, IsolinesAskWhileALineIsDrawn) {
             kFaces / 4096 - 1);
 }
 
+// The rim's vertices are at 1, or where they are in space: in each of the two
+// the hub is the first that anything goes on from.
+TEST(Stopping, FieldsAskAndGoOnAmidTheFacesAroundAHub) {
+  constexpr uint32_t kFaces = 16 * kSteps;
+  const auto flat = Mesh::Build(NeedleFan(kFaces)).value();
+  const auto point = Mesh::Build(FanInOnePoint(kFaces)).value();
+  for (const AlgorithmInfo& info : kAlgorithms) {
+    SCOPED_TRACE(AlgorithmName(info.algorithm));
+    for (const auto& mesh : {flat, point}) {
+      const Query query{.sources = {{VertexPoint{0}}},
+                        .algorithm = info.algorithm};
+      const DistanceField whole = Solve(*mesh, query).value();
+      const auto computation =
+          StartComputation(*mesh, Valid(*mesh, query), {}).value();
+      uint64_t stops = 0;
+      for (;; ++stops) {
+        RecordingCheckpoint checkpoint(2);
+        if (computation->Advance({}, checkpoint).ok()) break;
+        const DistanceField part = computation->Field();
+        for (size_t v = 1; v < part.distances.size(); ++v) {
+          if (std::isinf(part.distances[v])) continue;
+          ASSERT_EQ(part.distances[v], whole.distances[v]) << v;
+        }
+      }
+      EXPECT_GE(stops, kFaces / kSteps / 2 - 1);
+      EXPECT_EQ(computation->Field().distances, whole.distances);
+    }
+  }
+}
+
 // Also amid the faces at an edge.
 TEST(Stopping, FieldsGoOnWhereTheyWereStopped) {
   const auto mesh = Mesh::Build(Pages(2 * kSteps)).value();

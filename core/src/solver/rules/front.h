@@ -409,6 +409,17 @@ class Front {
   // looked at beyond irregular edges.
   template <typename Sink>
   uint64_t Expand(uint32_t v, Sink& sink) const {
+    RelaxAround(v, sink);
+    Sight sight(*this, v, sink);
+    ForEachSeen(v, [&, sigma = distances_[v]](HalfEdge h, const Interval& part) {
+      LookAcross(h, part, sigma, sight);
+    });
+    return sight.faces();
+  }
+
+  // The parts of Expand. Relaxes v's neighbours.
+  template <typename Sink>
+  void RelaxAround(uint32_t v, Sink& sink) const {
     const double sigma = distances_[v];
     const Arrival along_edge{.pseudo_source = v};
     for (HalfEdge h : mesh_.Outgoing(v)) {
@@ -419,27 +430,34 @@ class Front {
       sink.Relax(mesh_.Apex(h), sigma + mesh_.frame(Prev(h)).length, along_edge,
                  IncomingRay::Along(Prev(h)));
     }
-    Sight sight(*this, v, sink);
-    const auto look = [&](HalfEdge h, const Interval& part) {
-      const HalfEdge opposite = Next(h);
-      const HalfEdgeFrame& frame = mesh_.frame(opposite);
-      // Seen from beyond, the edge runs the other way.
-      sight.Across(opposite,
-                   {.x = frame.length - frame.apex_x,
-                    .depth = frame.apex_y,
-                    .sigma = sigma},
-                   Mirror(part, frame.length));
-    };
+  }
+  // Calls visit(h, part) for the half-edges that leave v, with the part of the
+  // edge opposite to v in their face that is to be looked across.
+  template <typename Visit>
+  void ForEachSeen(uint32_t v, Visit visit) const {
     if (incoming_.empty() || !incoming_[v].is_known() ||
         (states_[v] & kSource) || !HasRegularFan(v)) {
       for (HalfEdge h : mesh_.Outgoing(v)) {
         if (mesh_.IsCopy(h)) continue;
-        look(h, {0, mesh_.frame(Next(h)).length});
+        visit(h, Interval{0, mesh_.frame(Next(h)).length});
       }
     } else {
-      ShadowFan(mesh_, v, incoming_[v]).ForEachFace(look);
+      ShadowFan(mesh_, v, incoming_[v]).ForEachFace(visit);
     }
-    return sight.faces();
+  }
+  // Opens what is seen there. `sigma`: the distance of h's first vertex, whose
+  // sight it is.
+  template <typename Sight>
+  void LookAcross(HalfEdge h, const Interval& part, double sigma,
+                  Sight& sight) const {
+    const HalfEdge opposite = Next(h);
+    const HalfEdgeFrame& frame = mesh_.frame(opposite);
+    // Seen from beyond, the edge runs the other way.
+    sight.Across(opposite,
+                 {.x = frame.length - frame.apex_x,
+                  .depth = frame.apex_y,
+                  .sigma = sigma},
+                 Mirror(part, frame.length));
   }
 
  private:

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "geodesic/mesh.h"
@@ -28,13 +29,13 @@ static_assert(sizeof(ListedWindow) == 64);
 // In the place of a window's label once it has been propagated.
 inline constexpr double kPropagated = std::numeric_limits<double>::infinity();
 
-// One contiguous gap buffer a half-edge, all in one arena. The gap is the
-// list's cursor: windows are added before it and looked at after it, and it
-// stays where it was left. Neighbouring windows tend to arrive one after the
-// other, so few move for each.
+// One contiguous gap buffer a half-edge. The gap is the list's cursor: windows
+// are added before it and looked at after it, and it stays where it was left.
+// Neighbouring windows tend to arrive one after the other, so few move for each.
 //
 // Pointers stay valid until the next Add. Room grows by doubling; blocks that
-// were outgrown are reused.
+// were outgrown are reused. Blocks are cut from chunks, which never move, so
+// that no more memory is taken than bytes() tells.
 template <typename OriginType>
 class WindowLists {
  public:
@@ -149,29 +150,32 @@ class WindowLists {
   // beginning, or what surrounds its cursor.
   void PrefetchHead(HalfEdge h) const { __builtin_prefetch(&slots_[h]); }
   void PrefetchList(HalfEdge h) const {
-    const uint32_t offset = HeadOf(h).offset;
-    __builtin_prefetch(labels_.data() + offset);
-    for (uint32_t i = 0; i < kPrefetched; ++i) {
-      __builtin_prefetch(arena_.data() + offset + i);
+    const Head& list = HeadOf(h);
+    __builtin_prefetch(list.block.labels);
+    for (uint32_t i = 0; i < std::min(list.room, kPrefetched); ++i) {
+      __builtin_prefetch(list.block.windows + i);
     }
   }
   void PrefetchCursor(HalfEdge h) const {
     const Head& list = HeadOf(h);
-    const uint32_t before = list.offset + list.before;
-    const uint32_t next = list.offset + list.room - list.after;
-    for (uint32_t i : {before - 1, before, next, next + 1}) {
-      __builtin_prefetch(arena_.data() + i);
+    const uint32_t next = list.room - list.after;
+    for (uint32_t i : {list.before - 1, list.before, next, next + 1}) {
+      if (i < list.room) __builtin_prefetch(list.block.windows + i);
     }
-    __builtin_prefetch(labels_.data() + before);
-    __builtin_prefetch(labels_.data() + next);
+    __builtin_prefetch(list.block.labels + list.before);
+    __builtin_prefetch(list.block.labels + next);
   }
 
   uint64_t bytes() const;
 
  private:
+  struct Block {
+    ListedWindow* windows = nullptr;
+    double* labels = nullptr;
+  };
   // Windows [0, before) and [room - after, room) of a block; the rest is gap.
   struct Head {
-    uint32_t offset = 0;
+    Block block;
     uint32_t room = 0;  // a power of two, or no block at all
     uint32_t before = 0;
     uint32_t after = 0;
@@ -182,18 +186,25 @@ class WindowLists {
   static constexpr uint32_t kLeastRoom = 2;
   static constexpr uint32_t kClasses = 32;
   static constexpr uint32_t kPrefetched = 8;
+  // Windows of a chunk: a quarter of what is there, within these.
+  static constexpr uint64_t kLeastChunk = 64;
+  static constexpr uint64_t kMostChunk = 1 << 16;
 
-  double* Labels(const Head& list) { return labels_.data() + list.offset; }
-  double* NextLabel(const Head& list) {
-    return Labels(list) + list.room - list.after;
+  static double* Labels(const Head& list) { return list.block.labels; }
+  static double* NextLabel(const Head& list) {
+    return list.block.labels + (list.room - list.after);
   }
-  ListedWindow* Begin(const Head& list) { return arena_.data() + list.offset; }
-  ListedWindow* Next(const Head& list) {
-    return Begin(list) + list.room - list.after;
+  static ListedWindow* Begin(const Head& list) { return list.block.windows; }
+  static ListedWindow* Next(const Head& list) {
+    return list.block.windows + (list.room - list.after);
   }
-  std::vector<uint32_t>& FreeOf(uint32_t room) {
+  std::vector<Block>& FreeOf(uint32_t room) {
     return free_[std::countr_zero(room)];
   }
+  // The next `room` windows of the last chunk. REQUIRES: it has them.
+  Block Cut(uint32_t room);
+  // One that has room for so many; what the last one has left becomes free.
+  void AddChunk(uint32_t room);
   Head& HeadOf(HalfEdge h) { return heads_[slots_[h]]; }
   const Head& HeadOf(HalfEdge h) const { return heads_[slots_[h]]; }
   // To a room of `needed` at the least.
@@ -204,9 +215,12 @@ class WindowLists {
   std::vector<uint32_t> slots_;
   std::vector<Head> heads_{1};
   std::vector<uint32_t> free_heads_;
-  std::vector<ListedWindow> arena_;
-  std::vector<double> labels_;  // of the windows in arena_
-  std::array<std::vector<uint32_t>, kClasses> free_;  // offsets by log2 of room
+  std::vector<std::unique_ptr<ListedWindow[]>> windows_;  // by chunk
+  std::vector<std::unique_ptr<double[]>> labels_;         // of them
+  uint64_t chunk_windows_ = 0;                            // of all chunks
+  Block rest_;                                            // of the last chunk
+  uint64_t rest_room_ = 0;
+  std::array<std::vector<Block>, kClasses> free_;  // by log2 of room
   uint64_t size_ = 0;
   uint64_t peak_size_ = 0;
 };
