@@ -56,7 +56,7 @@ class DeployedMetricsTest : public SecureTest {
     EXPECT_TRUE(
         std::regex_search(log, port, std::regex("metrics on port (\\d+)")));
     Client client = Connect(server, "good-token");
-    const auto upload = client.UploadArrays(PlanarGrid(3));
+    const auto upload = client.UploadArrays(PlanarGrid(200));
     EXPECT_TRUE(upload.ok()) << upload.status();
     EXPECT_TRUE(client
                     .ComputeField({.mesh_digest = upload->mesh.digest,
@@ -72,7 +72,7 @@ class DeployedMetricsTest : public SecureTest {
              shown_.contains("geodesic_errors_total") &&
              shown_.contains("geodesic_stream_seconds") &&
              shown_.contains("geodesic_job_run_seconds");
-    }));
+    })) << ::testing::PrintToString(shown_);
   }
 
   const std::string tokens_ = folder_ / "tokens.json";

@@ -1,5 +1,6 @@
 #include "server/engine/jobs/job_checkpoint.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "server/engine/base/status_details.h"
@@ -52,10 +53,10 @@ absl::Status JobCheckpoint::Poll(const Progress& progress) {
 // that yields the rest of its time slice, so it would get next to nothing
 // beside threads that do not.
 void JobCheckpoint::MakeWay(Duration ran) {
-  if (ran < kYoung) return;
-  if (!is_long_) scheduler_.LetOthersStart();
-  is_long_ = true;
-  if (scheduler_.HasSeveralClients()) ShareByAge(ran);
+  if (!is_long_) is_long_ = scheduler_.LetOthersStart(ran);
+  if (is_long_ && scheduler_.HasSeveralClients()) {
+    ShareByAge(std::max(ran, kYoung));
+  }
 }
 
 }  // namespace geodesic::server

@@ -82,6 +82,13 @@ std::optional<uint64_t> JobQueue::NextWithin(size_t most) const {
   return std::nullopt;
 }
 
+bool JobQueue::HasUsedMost(const std::string& client) const {
+  const Duration used = accounts_.at(client).used;
+  return std::ranges::all_of(accounts_, [used](const auto& account) {
+    return account.second.used <= used;
+  });
+}
+
 std::optional<uint64_t> JobQueue::Oldest(
     absl::FunctionRef<bool(Job&)> can_start) {
   for (auto& [number, waiting] : jobs_) {

@@ -137,6 +137,9 @@ class JobQueue {
   // Takes out all, in order of age. O(n).
   std::vector<WaitingJob> Clear();
 
+  // Whether no client has used more. REQUIRES: it has jobs. O(clients).
+  bool HasUsedMost(const std::string& client) const;
+
   // Those of whom jobs wait or run.
   size_t clients() const { return accounts_.size(); }
   bool empty() const { return jobs_.empty(); }

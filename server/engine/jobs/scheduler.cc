@@ -156,16 +156,20 @@ void Scheduler::AskForThreads() {
   }
 }
 
-void Scheduler::LetOthersStart() {
+bool Scheduler::LetOthersStart(Duration ran) {
+  if (ran < kBrief) return false;
   MutexLock lock(mutex_);
   const auto job = std::ranges::find_if(running_, [](const auto& running) {
     return running.second.thread == std::this_thread::get_id() &&
            !running.second.is_long;
   });
-  if (job == running_.end()) return;
+  if (job == running_.end()) return true;
+  if (ran < kYoung && !job->second.line->queue.HasUsedMost(job->second.client))
+    return false;
   job->second.is_long = true;
   ++job->second.line->long_running;
   AskForThreads();
+  return true;
 }
 
 void Scheduler::Cancel(JobId id) {
@@ -295,7 +299,8 @@ void Scheduler::RunOne(ThreadKind kind) {
     progressed = true;
     const JobId id = started->id;
     const std::stop_source source;
-    running_[id] = {source, std::this_thread::get_id(), &line};
+    running_[id] = {source, std::this_thread::get_id(), &line,
+                    started->waiting.job.client};
     ++line.running;
     const bool is_store = started->waiting.job.priority == JobPriority::kStore;
     if (is_store) ++line.stores;

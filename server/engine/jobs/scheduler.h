@@ -23,6 +23,7 @@
 #include "geodesic/solve_options.h"
 #include "server/engine/base/clock.h"
 #include "server/engine/jobs/job_queue.h"
+#include "server/engine/jobs/processor_share.h"
 #include "server/engine/jobs/thread_pool.h"
 #include "server/locks/mutex.h"
 
@@ -56,6 +57,7 @@ struct JobTimes {
 class Scheduler {
  public:
   using JobId = uint64_t;
+  static constexpr Duration kBrief = std::chrono::milliseconds(5);
   // The place is given back with its last copy.
   using Place = std::shared_ptr<void>;
 
@@ -104,8 +106,11 @@ class Scheduler {
   // Does nothing for a job that runs or is gone.
   void Expedite(JobId id, JobPriority priority);
 
-  // Says, from the thread of a running job, that it has run long.
-  void LetOthersStart();
+  // Says, from the thread of a running job, for how long it has run. Returns
+  // whether another may start beside it from now on: from kYoung on, and from
+  // kBrief on if no client has used more than the job's, so that the short
+  // questions of one who asks little do not wait for one who asks much.
+  bool LetOthersStart(Duration ran);
 
   // From now on Submit fails, except for continuations; admitted jobs go on.
   void BeginDrain();
@@ -152,6 +157,7 @@ class Scheduler {
     std::stop_source source;
     std::thread::id thread;
     Line* line = nullptr;
+    std::string client = {};
     bool is_long = false;
   };
 

@@ -50,7 +50,7 @@ TEST_F(JobCheckpointTest, AJobThatHasRunLongLetsAnotherStart) {
                              .run = [&](std::stop_token) { has_ended = true; }})
                     .ok());
     for (const Duration ran :
-         {Duration(0), Duration(kYoung - milliseconds(1))}) {
+         {Duration(0), Duration(Scheduler::kBrief - milliseconds(1))}) {
       clock_.Advance(ran);
       ASSERT_TRUE(checkpoint.Poll({}).ok());
       EXPECT_FALSE(executor_.RunOne());

@@ -43,16 +43,47 @@ TEST(SchedulerLongTest, NobodyWaitsForOthersLongJobs) {
       EXPECT_EQ(scheduler.idle(), 0u);
       submit("third");
       EXPECT_FALSE(executor.RunOne()) << "a short job has the thread";
-      scheduler.LetOthersStart();
+      scheduler.LetOthersStart(kYoung);
       EXPECT_TRUE(executor.RunOne());
     });
     EXPECT_FALSE(executor.RunOne());
-    scheduler.LetOthersStart();
+    scheduler.LetOthersStart(kYoung);
     EXPECT_TRUE(executor.RunOne());
     EXPECT_FALSE(executor.RunOne()) << "its client has one that runs";
   });
   executor.RunAll();
   EXPECT_THAT(ran, ElementsAre("third", "short", "long", "long"));
+}
+
+// Whose client has used most makes room earlier.
+TEST(SchedulerLongTest, WhoAsksLittleWaitsLessForWhoAsksMuch) {
+  constexpr Duration kLonger = Scheduler::kBrief;
+  constexpr Duration kShorter = kLonger - std::chrono::milliseconds(1);
+  test::ManualExecutor executor;
+  test::FakeClock clock;
+  Scheduler scheduler(executor, /*max_running=*/1, /*max_queued=*/9);
+  scheduler.ObserveJobs(clock, [](const JobTimes&) {});
+  const auto submit = [&](std::string client, std::function<void()> run) {
+    ASSERT_TRUE(
+        scheduler
+            .Submit({.client = client,
+                     .run = [run](std::stop_token) { run(); }})
+            .ok());
+  };
+  // So that both have accounts: "much" has used a second more.
+  submit("much", [&] { clock.Advance(std::chrono::seconds(1)); });
+  submit("little", [&] {
+    EXPECT_FALSE(scheduler.LetOthersStart(kLonger));
+    EXPECT_FALSE(executor.RunOne());
+  });
+  submit("much", [&] {
+    submit("little", [] {});
+    EXPECT_FALSE(scheduler.LetOthersStart(kShorter));
+    EXPECT_FALSE(executor.RunOne());
+    EXPECT_TRUE(scheduler.LetOthersStart(kLonger));
+    EXPECT_TRUE(executor.RunOne());
+  });
+  executor.RunAll();
 }
 
 // What nobody waits for takes half of the disk's threads at the most.
@@ -96,8 +127,8 @@ TEST(SchedulerLongTest, ALongJobMakesRoomOnce) {
             .ok());
   };
   submit("long", [&] {
-    scheduler.LetOthersStart();
-    scheduler.LetOthersStart();
+    scheduler.LetOthersStart(kYoung);
+    scheduler.LetOthersStart(kYoung);
     submit("a", [&] { EXPECT_FALSE(executor.RunOne()); });
     submit("b");
     EXPECT_TRUE(executor.RunOne());
@@ -119,7 +150,7 @@ TEST(SchedulerLongTest, FourTimesAsManyRunAtMost) {
       most = std::max(most, scheduler.running());
       if (number == 6) return;
       submit(number + 1);
-      scheduler.LetOthersStart();
+      scheduler.LetOthersStart(kYoung);
       executor.RunOne();
     };
     ASSERT_TRUE(
