@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "solver/queues/fwp_buckets.h"
+#include "solver/rules/anchor_seeding.h"
+#include "solver/rules/expansion.h"
 #include "solver/rules/front.h"
 #include "solver/rules/mmp_rule.h"
 #include "surface/anchors.h"
@@ -28,12 +30,12 @@ uint64_t LowerEnvelope(const Mesh& mesh, uint32_t source) {
   Front<NeverSettled, Origin> front(mesh, *query, queue, nullptr);
   MmpRule<Front<NeverSettled, Origin>> rule(front);
   DirectSink sink(front, rule);
-  for (const Anchor& anchor : AnchorsOf(query)) front.AddAnchor(anchor, sink);
+  for (const Anchor& anchor : AnchorsOf(query)) AddAnchor(front, anchor, sink);
   for (uint32_t id = queue.Pop(); id != kNothing; id = queue.Pop()) {
     while (rule.HasToSpread()) rule.Spread();
     if (id & kVertexEvent) {
       const uint32_t v = id & ~kVertexEvent;
-      if (front.TakeEvent(v)) front.Expand(v, sink);
+      if (front.TakeEvent(v)) Expand(front, v, sink);
     } else {
       rule.Propagate(id);
     }

@@ -15,6 +15,8 @@
 #include "geodesic/mesh.h"
 #include "solver/goal.h"
 #include "solver/queues/queue.h"
+#include "solver/rules/anchor_seeding.h"
+#include "solver/rules/expansion.h"
 #include "solver/rules/front.h"
 #include "solver/rules/hub.h"
 #include "solver/windows/window.h"
@@ -51,12 +53,11 @@ class LocalSearch {
     front_.Restart(query_);
     front_.goal().set_limit(std::numeric_limits<double>::infinity());
     DirectSink sink(front_, rule_);
-    front_.AddAnchor({VertexPoint{v}, VertexPoint{v}, false, 0, 0}, sink);
+    AddAnchor(front_, {VertexPoint{v}, VertexPoint{v}, false, 0, 0}, sink);
     near_.clear();
     bool was_stopped = false;
     uint64_t steps = 0;
-    while (!hubs_.empty() ||
-           queue_.SettledRadius() <= front_.goal().limit()) {
+    while (!hubs_.empty() || queue_.SettledRadius() <= front_.goal().limit()) {
       const uint64_t taken = Step();
       if (taken == 0) break;
       LowerLimit(count);
@@ -117,7 +118,7 @@ class LocalSearch {
       if (id & kVertexEvent) {
         const uint32_t v = id & ~kVertexEvent;
         DirectSink sink(front_, rule_);
-        if (front_.TakeEvent(v)) front_.Expand(v, sink);
+        if (front_.TakeEvent(v)) Expand(front_, v, sink);
       } else {
         rule_.Propagate(id);
       }

@@ -6,6 +6,7 @@
 
 #include "geodesic/query.h"
 #include "solver/queues/queue.h"
+#include "solver/rules/anchor_seeding.h"
 #include "solver/start_computation.h"
 #include "surface/anchors.h"
 #include "tolerances.h"
@@ -55,7 +56,7 @@ absl::Status BackwardBounds::Find(const BoundedWay& way,
   has_bounds_ = false;
   windows_ = 0;
   DirectSink sink(front_, rule_);
-  front_.AddAnchor({.begin = way.target, .end = way.target}, sink);
+  AddAnchor(front_, {.begin = way.target, .end = way.target}, sink);
   uint64_t steps = 0;
   for (;;) {
     if (!hubs_.empty()) {

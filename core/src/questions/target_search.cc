@@ -17,6 +17,7 @@
 #include "solver/goal.h"
 #include "solver/queues/fwp_buckets.h"
 #include "solver/queues/queue.h"
+#include "solver/rules/anchor_seeding.h"
 #include "solver/rules/edge_relaxation.h"
 #include "solver/rules/front.h"
 #include "solver/rules/hub.h"
@@ -330,7 +331,7 @@ class TargetSearch::Impl {
         entered = 0;
         if (absl::Status status = Poll(checkpoint); !status.ok()) return status;
       }
-      entered += kStepsOfAnchor + front_.AddAnchor(anchor, sink);
+      entered += kStepsOfAnchor + AddAnchor(front_, anchor, sink);
     }
     // Vertices that windows miss beside thin faces are reached along edges, as
     // in fields; or where the target is farther than a path that is known.

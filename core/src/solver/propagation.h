@@ -27,7 +27,9 @@
 #include "geodesic_types/field_path.h"
 #include "mesh/file_unit.h"
 #include "solver/queues/queue.h"
+#include "solver/rules/anchor_seeding.h"
 #include "solver/rules/edge_relaxation.h"
+#include "solver/rules/expansion.h"
 #include "solver/rules/front.h"
 #include "solver/rules/hub.h"
 #include "solver/windows/window_observer.h"
@@ -277,7 +279,7 @@ class Propagation final : public Computation {
         continue;
       }
       const uint64_t before = rule_.steps();
-      const uint64_t faces = front_.AddAnchor(pending_anchors_.front(), sink);
+      const uint64_t faces = AddAnchor(front_, pending_anchors_.front(), sink);
       pending_anchors_.pop_front();
       steps += kStepsOfAnchor + std::max(faces, rule_.steps() - before);
     }
@@ -342,7 +344,7 @@ class Propagation final : public Computation {
       DirectSink sink(front_, rule_);
       if (!front_.TakeEvent(v)) return 1;
       const uint64_t before = rule_.steps();
-      const uint64_t faces = front_.Expand(v, sink);
+      const uint64_t faces = Expand(front_, v, sink);
       return std::max({StepsOf(mesh(), id), faces, rule_.steps() - before});
     }
     const uint64_t before = rule_.steps();
@@ -443,7 +445,7 @@ class Propagation final : public Computation {
   RuleType rule_;
   std::vector<uint32_t> together_;  // of one step
   Hubs<FrontType, RuleType> hubs_;
-  double taken_from_ = 0;           // what was settled when they were taken
+  double taken_from_ = 0;  // what was settled when they were taken
   SolveStatistics statistics_;
   double wavefront_sum_ = 0;
   uint64_t wavefront_samples_ = 0;

@@ -19,11 +19,9 @@
 #include "geodesic/mesh.h"
 #include "mesh/same_edges.h"
 #include "solver/accuracy.h"
-#include "solver/curve_segment.h"
 #include "solver/goal.h"
 #include "solver/queues/queue.h"
 #include "solver/rules/shadow_fan.h"
-#include "solver/rules/sight.h"
 #include "solver/targets.h"
 #include "solver/windows/mixed_origin.h"
 #include "solver/windows/window.h"
@@ -101,6 +99,7 @@ class Front {
   const Goal& goal() const { return goal_; }
   const Accuracy& accuracy() const { return accuracy_; }
   const Targets& targets() const { return targets_; }
+  Targets& targets() { return targets_; }
   double distance(uint32_t v) const { return distances_[v]; }
   // No shortest path to v is longer.
   double UpperBound(uint32_t v) const {
@@ -324,74 +323,21 @@ class Front {
     });
   }
 
-  // Starts from an anchor: relaxes the vertices around it and opens all that it
-  // sees of every edge. Sink: as for Expand; its Relax and Observe are those
-  // here. Returns how many faces were looked at.
-  template <typename Sink>
-  uint64_t AddAnchor(const Anchor& anchor, Sink& sink) {
+  // Whether v is where a path begins.
+  bool IsSource(uint32_t v) const { return (states_[v] & kSource) != 0; }
+  void MarkSource(uint32_t v) { states_[v] |= kSource; }
+
+  // Takes an anchor in: its number, and `bound`, what PseudoSourceDistance says
+  // of it. What it sees is opened by AddAnchor (anchor_seeding.h).
+  uint32_t NumberAnchor(const Anchor& anchor, double bound) {
     const auto number = static_cast<uint32_t>(distances_.size());
-    const double sigma = std::ldexp(anchor.offset, -mesh_.scale_exponent());
     has_free_anchor_ = has_free_anchor_ ||
                        !std::holds_alternative<VertexPoint>(anchor.begin) ||
                        anchor.is_segment;
-    if (anchor.is_segment) {
-      // Distances at edges do not tell whether a segment's windows are stale:
-      // it never improves.
-      distances_.push_back(std::numeric_limits<double>::infinity());
-      anchor_places_.emplace_back();
-      if constexpr (std::is_same_v<Origin, MixedOrigin>) {
-        return AddSegment(anchor, sigma, number, sink);
-      }
-      return 0;
-    }
-    distances_.push_back(sigma);
-    anchor_places_.push_back(InSpace(mesh_, anchor.begin));
-    if (const auto* at = std::get_if<VertexPoint>(&anchor.begin)) {
-      states_[at->vertex] |= kSource;
-      Relax(at->vertex, sigma, {.pseudo_source = number});
-      return 1;
-    }
-    Sight sight(*this, number, sink);
-    // An edge may have very many faces: not again for each of them.
-    const auto* on_edge = std::get_if<EdgePoint>(&anchor.begin);
-    const auto is_end = [&](uint32_t v) {
-      return on_edge != nullptr && (v == on_edge->from || v == on_edge->to);
-    };
-    bool knows_ends = false;
-    uint64_t faces = 0;
-    for (const FacePoint& point : FacesAround(mesh_, anchor.begin)) {
-      const Arrival straight{.pseudo_source = number};
-      for (uint32_t corner = 0; corner < 3; ++corner) {
-        const HalfEdge h = mesh_.FirstSide(point.face) + corner;
-        const double to_corner = DistanceToCorner(mesh_, point, corner);
-        if (!(knows_ends && is_end(mesh_.From(h))) &&
-            !(states_[mesh_.From(h)] & kSource) &&
-            to_corner <= kNearVertex * kLongestEdge) {
-          faces += mesh_.Outgoing(mesh_.From(h)).size();
-          if (to_corner <= kNearVertex * LongestEdgeAt(mesh_.From(h))) {
-            states_[mesh_.From(h)] |= kSource;
-          }
-        }
-        Relax(mesh_.From(h), sigma + to_corner, straight);
-        // The faces beyond an edge that holds the point are around it too.
-        if (point.weights[Prev(h) % 3] == 0) continue;
-        const PlanePoint at = InFrame(mesh_, point, h);
-        const double length = mesh_.frame(h).length;
-        sight.Across(h,
-                     {.x = length - at.x,
-                      .depth = std::max(at.y, kLeastHeight),
-                      .sigma = sigma},
-                     {0, length});
-      }
-      const PlanePoint from =
-          InFrame(mesh_, point, mesh_.FirstSide(point.face));
-      targets_.OfferWithin(point.face, number, [&](const PlanePoint& to) {
-        return sigma + std::hypot(to.x - from.x, to.y - from.y);
-      });
-      knows_ends = true;
-      ++faces;
-    }
-    return faces + sight.faces();
+    distances_.push_back(bound);
+    anchor_places_.push_back(anchor.is_segment ? SpacePoint()
+                                               : InSpace(mesh_, anchor.begin));
+    return number;
   }
 
   // Whether v has improved since its event was last taken.
@@ -401,69 +347,16 @@ class Front {
     return true;
   }
 
-  // What the event of v leads to: relaxes v's neighbours along their edges and
-  // opens every edge that v sees whole, where the half-edge enters the face
-  // beyond. These are the edges opposite to v, and where v lies on one (across
-  // a face without area), the other edges of the face beyond. Sink has Relax
-  // and Observe, as here, and Open, as rules have. Returns how many faces were
-  // looked at beyond irregular edges.
-  template <typename Sink>
-  uint64_t Expand(uint32_t v, Sink& sink) const {
-    RelaxAround(v, sink);
-    Sight sight(*this, v, sink);
-    ForEachSeen(v, [&, sigma = distances_[v]](HalfEdge h, const Interval& part) {
-      LookAcross(h, part, sigma, sight);
-    });
-    return sight.faces();
+  // Whether nothing around v is hidden behind it: its path comes from nowhere
+  // known, or one cannot simply turn around v, from face to face.
+  bool SeesAllAround(uint32_t v) const {
+    return incoming_.empty() || !incoming_[v].is_known() || IsSource(v) ||
+           !HasRegularFan(v);
   }
-
-  // The parts of Expand. Relaxes v's neighbours.
-  template <typename Sink>
-  void RelaxAround(uint32_t v, Sink& sink) const {
-    const double sigma = distances_[v];
-    const Arrival along_edge{.pseudo_source = v};
-    for (HalfEdge h : mesh_.Outgoing(v)) {
-      sink.Relax(mesh_.To(h), sigma + mesh_.frame(h).length, along_edge,
-                 IncomingRay::Along(h));
-      // Elsewhere another of them leads to the apex.
-      if (mesh_.Twin(Prev(h)) != kNoHalfEdge) continue;
-      sink.Relax(mesh_.Apex(h), sigma + mesh_.frame(Prev(h)).length, along_edge,
-                 IncomingRay::Along(Prev(h)));
-    }
-  }
-  // Calls visit(h, part) for the half-edges that leave v, with the part of the
-  // edge opposite to v in their face that is to be looked across.
-  template <typename Visit>
-  void ForEachSeen(uint32_t v, Visit visit) const {
-    if (incoming_.empty() || !incoming_[v].is_known() ||
-        (states_[v] & kSource) || !HasRegularFan(v)) {
-      for (HalfEdge h : mesh_.Outgoing(v)) {
-        if (mesh_.IsCopy(h)) continue;
-        visit(h, Interval{0, mesh_.frame(Next(h)).length});
-      }
-    } else {
-      ShadowFan(mesh_, v, incoming_[v]).ForEachFace(visit);
-    }
-  }
-  // Opens what is seen there. `sigma`: the distance of h's first vertex, whose
-  // sight it is.
-  template <typename Sight>
-  void LookAcross(HalfEdge h, const Interval& part, double sigma,
-                  Sight& sight) const {
-    const HalfEdge opposite = Next(h);
-    const HalfEdgeFrame& frame = mesh_.frame(opposite);
-    // Seen from beyond, the edge runs the other way.
-    sight.Across(opposite,
-                 {.x = frame.length - frame.apex_x,
-                  .depth = frame.apex_y,
-                  .sigma = sigma},
-                 Mirror(part, frame.length));
-  }
+  // REQUIRES: !SeesAllAround(v).
+  const IncomingRay& IncomingAt(uint32_t v) const { return incoming_[v]; }
 
  private:
-  // No edge is longer, in the scaled unit.
-  static constexpr double kLongestEdge = 2;
-
   enum State : uint8_t {
     kSource = 1,
     kPending = 2,  // improved since it was last expanded
@@ -517,56 +410,6 @@ class Front {
             : anchor_places_[pseudo_source - mesh_.vertex_count()];
     return std::max(
         distance, sigma + StraightDistance(mesh_, from, InSpace(mesh_, point)));
-  }
-
-  // Of the faces around v.
-  double LongestEdgeAt(uint32_t v) const {
-    double longest = 0;
-    for (HalfEdge h : mesh_.Outgoing(v)) {
-      longest = std::max(longest, mesh_.LongestSide(h));
-    }
-    return longest;
-  }
-
-  // Starts from a segment, in each of the faces that hold it. Returns how many
-  // faces were looked at. REQUIRES: Origin is MixedOrigin.
-  template <typename Sink>
-  uint64_t AddSegment(const Anchor& anchor, double sigma, uint32_t number,
-                      Sink& sink) {
-    uint64_t faces = std::min(MostFacesAround(mesh_, anchor.begin),
-                              MostFacesAround(mesh_, anchor.end));
-    for (const CurveSegment& segment : SegmentsOf(mesh_, anchor)) {
-      const HalfEdge first = mesh_.FirstSide(segment.face());
-      const Arrival straight{.pseudo_source = number};
-      for (uint32_t corner = 0; corner < 3; ++corner) {
-        FacePoint at{.face = segment.face()};
-        at.weights[corner] = 1;
-        Relax(mesh_.From(first + corner),
-              sigma + segment.DistanceTo(InFrame(mesh_, at, first)), straight);
-      }
-      for (HalfEdge h = first; h < first + 3; ++h) {
-        auto beam = segment.BeamAcross(h);
-        if (!beam.has_value()) continue;
-        beam->origin.sigma += sigma;
-        if constexpr (ToldOfWideEdges<Sink>) {
-          if (IsWideEdge(mesh_, h)) {
-            sink.OpenBeyond(h, number, beam->origin, beam->interval);
-            continue;
-          }
-        }
-        faces += 1 + mesh_.HalfEdgesAt(h).size();
-        Cross(h, beam->origin, beam->interval,
-              [&](HalfEdge half_edge, const Origin& origin,
-                  const Interval& interval) {
-                sink.Open(half_edge, number, origin, interval);
-              });
-      }
-      targets_.OfferWithin(segment.face(), number,
-                           [&](const PlanePoint& place) {
-                             return sigma + segment.DistanceTo(place);
-                           });
-    }
-    return faces;
   }
 
   const Mesh& mesh_;

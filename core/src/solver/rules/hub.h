@@ -14,6 +14,7 @@
 
 #include "geodesic/mesh.h"
 #include "solver/queues/queue.h"
+#include "solver/rules/expansion.h"
 #include "solver/rules/sight.h"
 #include "solver/windows/window.h"
 
@@ -25,7 +26,7 @@ inline bool IsHub(const Mesh& mesh, uint32_t v) {
   return mesh.Outgoing(v).size() > kMany;
 }
 
-// Does what Front::Expand does, in the same order. Sink: as there. The front
+// Does what Expand does, in the same order. Sink: as there. The front
 // outlives it.
 template <typename Front, typename Sink>
 class Hub {
@@ -46,8 +47,8 @@ class Hub {
     const uint64_t before = sight_->faces();
     const size_t end = std::min(next_ + kAtATime, seen_.size());
     for (; next_ < end; ++next_) {
-      front_.LookAcross(seen_[next_].half_edge, seen_[next_].part, sigma_,
-                        *sight_);
+      LookAcross(front_.mesh(), seen_[next_].half_edge, seen_[next_].part,
+                 sigma_, *sight_);
     }
     return kAtATime + sight_->faces() - before;
   }
@@ -57,17 +58,17 @@ class Hub {
  private:
   static constexpr size_t kAtATime = 1024;
 
-  // As Front::ForEachSeen says.
+  // As ForEachSeen says.
   struct Seen {
     HalfEdge half_edge;
     Interval part;
   };
 
   void Begin() {
-    front_.RelaxAround(v_, sink_);
+    RelaxAround(front_, v_, sink_);
     sight_.emplace(front_, v_, sink_);
-    sigma_ = front_.distances()[v_];
-    front_.ForEachSeen(v_, [this](HalfEdge h, const Interval& part) {
+    sigma_ = front_.distance(v_);
+    ForEachSeen(front_, v_, [this](HalfEdge h, const Interval& part) {
       seen_.push_back({h, part});
     });
   }

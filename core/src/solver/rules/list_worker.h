@@ -18,6 +18,7 @@
 #include "geodesic/distance_field.h"
 #include "geodesic/mesh.h"
 #include "solver/accuracy.h"
+#include "solver/rules/expansion.h"
 #include "solver/rules/face_crossing.h"
 #include "solver/rules/passed_windows.h"
 #include "solver/rules/shadow_fan.h"
@@ -125,7 +126,7 @@ class alignas(kCacheLine) ListWorker {
 
   Outcome Expand(uint32_t vertex) {
     Outcome outcome{.begin = Here()};
-    faces_ += front_.Expand(vertex, *this);
+    faces_ += geodesic::Expand(front_, vertex, *this);
     outcome.end = Here();
     return outcome;
   }
@@ -148,7 +149,7 @@ class alignas(kCacheLine) ListWorker {
     faces_ = 0;
   }
 
-  // As Front::Expand calls them.
+  // As geodesic::Expand calls them.
   void Relax(uint32_t vertex, double distance, const Arrival& arrival,
              const IncomingRay& ray = {}) {
     if (!front_.Takes(vertex, distance, arrival)) return;

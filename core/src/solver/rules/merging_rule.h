@@ -39,6 +39,7 @@
 #include "mesh/prefetch.h"
 #include "solver/accuracy.h"
 #include "solver/rules/crossing_counter.h"
+#include "solver/rules/expansion.h"
 #include "solver/rules/face_corners.h"
 #include "solver/rules/front.h"
 #include "solver/rules/merging.h"
@@ -108,7 +109,7 @@ class MergingRule {
     DirectSink sink(front_, *this);
     for (size_t i = 0; i < vertices_.size(); ++i) {
       if (i + 2 < vertices_.size()) PrefetchFan(mesh_, vertices_[i + 2]);
-      if (front_.TakeEvent(vertices_[i])) front_.Expand(vertices_[i], sink);
+      if (front_.TakeEvent(vertices_[i])) Expand(front_, vertices_[i], sink);
     }
     uint64_t propagated = 0;
     met_ = {};

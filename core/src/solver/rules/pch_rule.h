@@ -34,6 +34,7 @@
 #include "geodesic/mesh.h"
 #include "solver/queues/queue.h"
 #include "solver/rules/chen_han_crossing.h"
+#include "solver/rules/expansion.h"
 #include "solver/rules/front.h"
 #include "solver/rules/shadow_fan.h"
 #include "solver/thread_team.h"
@@ -81,7 +82,7 @@ class PchRule {
     DirectSink sink(front_, *this);
     for (const uint32_t id : ids) {
       const uint32_t v = id & ~kVertexEvent;
-      if ((id & kVertexEvent) && front_.TakeEvent(v)) front_.Expand(v, sink);
+      if ((id & kVertexEvent) && front_.TakeEvent(v)) Expand(front_, v, sink);
     }
     Sweep([this](Share& share) { Meet(share); });
     uint64_t propagated = 0;

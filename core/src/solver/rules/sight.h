@@ -21,7 +21,7 @@ namespace geodesic {
 
 // Opens the half-edges that the pseudo-source sees. Where it lies on one, it
 // looks on through the face beyond, which may have no area; such faces may lead
-// into each other in rings. Sink: as for Front::Expand. Front and Sink outlive
+// into each other in rings. Sink: as for Expand. Front and Sink outlive
 // it.
 template <typename Front, typename Sink>
 class Sight {
@@ -177,7 +177,7 @@ class Sight {
   uint64_t faces_ = 0;
 };
 
-// A sink for Front::AddAnchor and Front::Expand: what they find is applied at
+// A sink for AddAnchor and Expand: what they find is applied at
 // once.
 template <typename Front, typename Rule>
 class DirectSink {
