@@ -92,9 +92,11 @@ absl::StatusOr<std::vector<SurfacePoint>> FromProto(
   std::vector<SurfacePoint> result;
   result.reserve(points.size());
   for (int i = 0; i < points.size(); ++i) {
-    absl::StatusOr<SurfacePoint> point =
-        PointFrom(points[i], absl::StrCat(field, "[", i, "]"));
-    if (!point.ok()) return point.status();
+    const absl::StatusOr<SurfacePoint> point = PointFrom(points[i], "");
+    // Only what is wrong is named: to do so takes longer than to read it.
+    if (!point.ok()) {
+      return PointFrom(points[i], absl::StrCat(field, "[", i, "]")).status();
+    }
     result.push_back(*point);
   }
   return result;

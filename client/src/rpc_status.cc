@@ -140,18 +140,24 @@ std::optional<Seconds> RetryDelay(const absl::Status& status) {
   return ToSeconds(retry.retry_delay());
 }
 
-bool WaitToRetry(const absl::Status& status, int attempts,
-                 std::stop_token stop) {
+std::chrono::duration<double> DelayBeforeRetry(const absl::Status& status,
+                                               int attempts) {
   constexpr Seconds kFirstDelay(0.2);
   constexpr Seconds kLongestDelay(10);
-  const std::optional<Seconds> suggested = RetryDelay(status);
-  if (attempts >= kMaxAttempts) return false;
-  if (!absl::IsUnavailable(status) && !suggested.has_value()) return false;
-  Seconds delay = suggested.value_or(kFirstDelay * (1 << (attempts - 1)));
-  // Clients that were refused together should not come back together.
+  const Seconds delay =
+      RetryDelay(status).value_or(kFirstDelay * (1 << (attempts - 1)));
   thread_local std::minstd_rand random{std::random_device{}()};
-  delay *= std::uniform_real_distribution<>(1, 1.3)(random);
-  delay = std::min(delay, kLongestDelay);
+  return std::min(delay * std::uniform_real_distribution<>(1, 1.3)(random),
+                  kLongestDelay);
+}
+
+bool WaitToRetry(const absl::Status& status, int attempts,
+                 std::stop_token stop) {
+  if (attempts >= kMaxAttempts) return false;
+  if (!absl::IsUnavailable(status) && !RetryDelay(status).has_value()) {
+    return false;
+  }
+  const Seconds delay = DelayBeforeRetry(status, attempts);
   std::mutex mutex;
   std::condition_variable_any stopped;
   std::unique_lock lock(mutex);

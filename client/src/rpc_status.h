@@ -6,6 +6,7 @@
 
 #include <grpcpp/support/status.h>
 
+#include <chrono>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -30,8 +31,14 @@ absl::Status RenameField(const absl::Status& status, const std::string& from,
 // The same as in the channel's retry policy.
 inline constexpr int kMaxAttempts = 4;
 
-// Waits before the next attempt, as long as the server suggests or else twice
-// as long each time. `attempts` have failed, the last with `status`. Returns
+// How long to wait before the next attempt when so many have failed: as long as
+// the server suggests, if it does, or else twice as long each time, and up to a
+// third longer at random, so that clients that were refused together do not
+// come back together. No server makes anybody wait for more than 10 s.
+std::chrono::duration<double> DelayBeforeRetry(const absl::Status& status,
+                                               int attempts);
+
+// Waits for so long. `attempts` have failed, the last with `status`. Returns
 // false at once if another attempt would not help or there have been enough,
 // and as soon as `stop` asks for it.
 bool WaitToRetry(const absl::Status& status, int attempts,

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdint>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -59,6 +60,29 @@ TEST(RpcStatusTest, KeepsCodeAndMessage) {
   EXPECT_TRUE(FromRpcStatus(grpc::Status::OK).ok());
   EXPECT_EQ(FromRpcStatus({grpc::StatusCode::NOT_FOUND, "no such mesh"}),
             absl::NotFoundError("no such mesh"));
+}
+
+TEST(RpcStatusTest, NoServerMakesAnybodyWaitForLong) {
+  using Seconds = std::chrono::duration<double>;
+  const auto delay = [](int64_t seconds) {
+    google::rpc::RetryInfo retry;
+    retry.mutable_retry_delay()->set_seconds(seconds);
+    return DelayBeforeRetry(
+        FromRpcStatus(
+            Rich(grpc::StatusCode::RESOURCE_EXHAUSTED, "full", retry)),
+        /*attempts=*/1);
+  };
+  EXPECT_GE(delay(5), Seconds(5));
+  EXPECT_LE(delay(5), Seconds(6.5));
+  EXPECT_EQ(delay(3600), Seconds(10));
+  // Twice as long each time.
+  for (int attempts = 1; attempts < kMaxAttempts; ++attempts) {
+    const Seconds least(0.1 * (1 << attempts));
+    const Seconds unsaid =
+        DelayBeforeRetry(absl::UnavailableError("gone"), attempts);
+    EXPECT_GE(unsaid, least);
+    EXPECT_LE(unsaid, 1.3 * least);
+  }
 }
 
 TEST(RpcStatusTest, NamesTheFieldsAtFault) {

@@ -193,6 +193,23 @@ TEST_F(QuestionsRpcTest, SizesHaveLimits) {
   ExpectExhausted(matrix);
 }
 
+class LittleMemoryTest : public QuestionsRpcTest {
+ protected:
+  void SetUp() override {
+    ServerOptions options = SmallServer();
+    options.limits.solver_memory_bytes = 1 << 20;
+    options.limits.max_levels = 1000;
+    StartWithGrid(/*held=*/false, options);
+  }
+};
+
+TEST_F(LittleMemoryTest, LinesBeyondItAreRefused) {
+  v1::ComputeIsolinesRequest request = Isolines();
+  EXPECT_TRUE(Ask(request).status.ok());
+  for (int i = 1; i < 1000; ++i) request.add_levels(0.004 * i);
+  ExpectExhausted(request);
+}
+
 TEST_F(QuestionsRpcTest, PathsNumberSourcesAsTheRequestDoes) {
   v1::ComputePathsRequest request;
   request.set_mesh_digest(digest_);

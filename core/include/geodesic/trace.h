@@ -24,6 +24,7 @@ namespace geodesic {
 
 class Compass;
 struct Heading;
+class WorkMeter;
 
 // The first direction of a line: an angle in the map that ComputeLogMap makes
 // around its place; or a vector in space, of any length: the line then starts
@@ -52,7 +53,11 @@ class LineTracer {
   // `mesh` outlives the object. O(faces around the place).
   // Errors: INVALID_ARGUMENT, with the path "source": a place that is not on
   // the mesh, or around which the surface is not one oriented disk or
-  // half-disk.
+  // half-disk; whatever `checkpoint` returns.
+  static absl::StatusOr<LineTracer> From(const Mesh& mesh,
+                                         const SurfacePoint& place,
+                                         Checkpoint& checkpoint);
+  // Not to be stopped.
   static absl::StatusOr<LineTracer> From(const Mesh& mesh,
                                          const SurfacePoint& place);
   LineTracer(LineTracer&&) noexcept;
@@ -80,7 +85,8 @@ class LineTracer {
   LineTracer(const Mesh& mesh, const SurfacePoint& place,
              std::unique_ptr<const Compass> compass);
   // REQUIRES: a place is on the mesh. Errors: the compass's.
-  absl::StatusOr<Heading> HeadingOf(const LineDirection& direction) const;
+  absl::StatusOr<Heading> HeadingOf(const LineDirection& direction,
+                                    WorkMeter& meter) const;
 
   const Mesh* mesh_;
   SurfacePoint place_;

@@ -133,18 +133,30 @@ class Cholesky::Order : public Cholesky::Factor {};
 
 absl::StatusOr<std::shared_ptr<const Cholesky::Order>> Cholesky::Analyze(
     const SymmetricPattern& pattern, Checkpoint& checkpoint,
-    const Progress& progress) {
+    const Progress& progress, size_t most) {
   auto order = std::make_shared<Order>();
   Workspace& workspace = order->workspace();
+  absl::StatusOr<Dissection> dissection =
+      Dissect(pattern, most, checkpoint, progress);
+  if (!dissection.ok()) return dissection.status();
+  std::vector<int32_t> numbers(pattern.size(), -1);
+  for (const Dissection::Part& part : dissection->parts) {
+    const std::span<int32_t> columns = dissection->ColumnsOf(part);
+    const SymmetricPattern within = PatternOf(pattern, columns, numbers);
+    cholmod_sparse matrix = MatrixOf(within, nullptr);
+    std::vector<int32_t> given(columns.size());
+    cholmod_amd(&matrix, nullptr, 0, given.data(), workspace.get());
+    absl::Status status = workspace.status();
+    if (status.ok()) status = checkpoint.Poll(progress);
+    if (!status.ok()) return status;
+    std::ranges::transform(given, given.begin(),
+                           [&](int32_t i) { return columns[i]; });
+    std::ranges::copy(given, columns.begin());
+  }
   cholmod_sparse matrix = MatrixOf(pattern, nullptr);
-  std::vector<int32_t> given(pattern.size());
-  cholmod_amd(&matrix, nullptr, 0, given.data(), workspace.get());
-  absl::Status status = workspace.status();
-  if (status.ok()) status = checkpoint.Poll(progress);
-  if (!status.ok()) return status;
-  order->get() =
-      cholmod_analyze_p(&matrix, given.data(), nullptr, 0, workspace.get());
-  if (status = workspace.status(); !status.ok()) return status;
+  order->get() = cholmod_analyze_p(&matrix, dissection->order.data(), nullptr,
+                                   0, workspace.get());
+  if (absl::Status status = workspace.status(); !status.ok()) return status;
   return order;
 }
 

@@ -15,30 +15,23 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "approximate/dissection.h"
 #include "geodesic/checkpoint.h"
 
 namespace geodesic {
 
-// Where the entries of a symmetric matrix are: column after column those on and
-// above the diagonal, rows in order, so that the diagonal is each column's
-// last. Matrices of one pattern differ in their values alone.
-struct SymmetricPattern {
-  std::vector<int32_t> column_begin;  // size + 1
-  std::vector<int32_t> rows;
-
-  uint64_t size() const { return column_begin.size() - 1; }
-};
-
 // A factor. Const functions are thread-safe.
 class Cholesky {
  public:
-  // How to eliminate with little fill: for all matrices of one pattern. Asks
-  // the checkpoint once in between, after a tenth of a second or so for a
-  // million unknowns. Errors: RESOURCE_EXHAUSTED; as `checkpoint`.
+  // How to eliminate with little fill: for all matrices of one pattern. It is
+  // cut into parts of at most `most` unknowns, each ordered by AMD: asks the
+  // checkpoint every hundredth of a second or so. Errors: RESOURCE_EXHAUSTED;
+  // as `checkpoint`.
   class Order;
+  static constexpr size_t kMostAtOnce = size_t{1} << 15;
   static absl::StatusOr<std::shared_ptr<const Order>> Analyze(
       const SymmetricPattern& pattern, Checkpoint& checkpoint,
-      const Progress& progress);
+      const Progress& progress, size_t most = kMostAtOnce);
 
   // REQUIRES: the order is of this pattern; a value for each of its rows.
   // Tells the checkpoint of the progress with the factor's bytes, before it

@@ -24,8 +24,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Between two polls, in vertices or faces: well below a millisecond.
-constexpr uint32_t kPollPeriod = 1024;
+// Between two polls, in faces: well below a millisecond.
+constexpr uint32_t kPollPeriod = 4096;
 
 // Through how many faces an obtuse angle is unfolded. Faces that are not
 // needles need a few.
@@ -72,11 +72,12 @@ class FastMarching::March {
                    Checkpoint& checkpoint) {
     for (const Seed& seed : seeds) Relax(seed.vertex, seed.distance, queue);
     uint32_t accepted = 0;
+    uint64_t faces = kPollPeriod;
     for (;;) {
       const uint32_t v = queue.Pop();
       const bool is_over = v == kNothing;
-      if (!is_over && is_accepted_[v]) continue;
-      if (is_over || accepted % kPollPeriod == 0) {
+      if (is_over || faces >= kPollPeriod) {
+        faces = 0;
         if (absl::Status status = checkpoint.Poll(
                 {.vertices_reached = accepted,
                  .vertices = mesh_.vertex_count(),
@@ -86,8 +87,11 @@ class FastMarching::March {
           return status;
         }
       }
+      ++faces;
+      if (is_accepted_[v]) continue;
       is_accepted_[v] = true;
       ++accepted;
+      faces += mesh_.Outgoing(v).size();
       Accept(v, queue);
     }
   }
@@ -175,7 +179,7 @@ absl::StatusOr<std::shared_ptr<const FastMarching>> FastMarching::Prepare(
     const Mesh& mesh, MarchingQueue queue, Checkpoint& checkpoint) {
   std::shared_ptr<FastMarching> marching(new FastMarching(mesh, queue));
   for (HalfEdge h = 0; h < mesh.half_edge_count(); ++h) {
-    if (h % (3 * kPollPeriod) == 0) {
+    if (h % kPollPeriod == 0) {
       if (absl::Status status =
               checkpoint.Poll({.vertices = mesh.vertex_count(),
                                .solver_bytes = marching->bytes()});
@@ -260,7 +264,7 @@ ApproximateMethod FastMarching::method() const {
 absl::StatusOr<std::vector<double>> FastMarching::Compute(
     const ValidQuery& query, Checkpoint& checkpoint) const {
   const absl::StatusOr<std::vector<Seed>> seeds =
-      SeedsOf(query, mesh(), method());
+      SeedsOf(query, mesh(), method(), checkpoint);
   if (!seeds.ok()) return seeds.status();
   March march(*this);
   const Tuning tuning = UntidyTuning(mesh());

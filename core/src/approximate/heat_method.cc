@@ -302,12 +302,13 @@ std::vector<HeatSource> HeatMethod::Systems::SourcesOf(
   std::vector<HeatSource> sources;
   for (const Source& source : query->sources) {
     const auto& point = std::get<SurfacePoint>(source.place);
-    const std::vector<FacePoint> around = FacesAround(mesh_, point);
-    if (around.empty()) {  // a vertex without faces
-      const uint32_t v = std::get<VertexPoint>(point).vertex;
-      sources.push_back({{.weights = {1, 0, 0}}, {v, v, v}});
+    const auto* at = std::get_if<VertexPoint>(&point);
+    if (at != nullptr && mesh_.Outgoing(at->vertex).empty()) {
+      sources.push_back(
+          {{.weights = {1, 0, 0}}, {at->vertex, at->vertex, at->vertex}});
     } else {
-      sources.push_back({around[0], mesh_.triangle(around[0].face)});
+      const FacePoint place = FirstFaceAround(mesh_, point);
+      sources.push_back({place, mesh_.triangle(place.face)});
     }
   }
   return sources;
@@ -363,7 +364,7 @@ std::vector<double> HeatMethod::Systems::Divergence(
 absl::StatusOr<std::vector<double>> HeatMethod::Systems::Distances(
     const ValidQuery& query, Checkpoint& checkpoint) const {
   const absl::StatusOr<std::vector<Seed>> seeds =
-      SeedsOf(query, mesh_, ApproximateMethod::kHeat);
+      SeedsOf(query, mesh_, ApproximateMethod::kHeat, checkpoint);
   if (!seeds.ok()) return seeds.status();
   const std::vector<HeatSource> sources = SourcesOf(query);
   if (absl::Status status = PollSolving(checkpoint); !status.ok())

@@ -39,8 +39,6 @@ constexpr uint32_t kMostNeighbours = 10000;
 constexpr uint32_t kShare = 16;
 // Arcs that are sorted in the time of a step of WorkMeter.
 constexpr uint64_t kArcsAStep = 8;
-// Between two polls of a query, in vertices.
-constexpr uint32_t kPollPeriod = 1024;
 
 // For searches of K vertices: buckets in mean edge lengths, and what an
 // iteration takes of them. From 1/32 to 1 and from 16 to 256 they take the same
@@ -275,7 +273,7 @@ ApproximateMethod SaddleVertexGraph::method() const {
 absl::StatusOr<std::vector<double>> SaddleVertexGraph::Compute(
     const ValidQuery& query, Checkpoint& checkpoint) const {
   const absl::StatusOr<std::vector<Seed>> seeds =
-      SeedsOf(query, mesh(), method());
+      SeedsOf(query, mesh(), method(), checkpoint);
   if (!seeds.ok()) return seeds.status();
   std::vector<double> distances(mesh().vertex_count(), kInfinity);
   std::vector<uint8_t> is_settled(mesh().vertex_count());
@@ -285,19 +283,21 @@ absl::StatusOr<std::vector<double>> SaddleVertexGraph::Compute(
     queue.Push(v, distance);
   }
   uint32_t settled = 0;
+  const auto poll = [&] {
+    return checkpoint.Poll(
+        {.vertices_reached = settled,
+         .vertices = mesh().vertex_count(),
+         .solver_bytes =
+             mesh().vertex_count() * (sizeof(double) + 1) + queue.bytes()});
+  };
+  if (absl::Status status = poll(); !status.ok()) return status;
+  WorkMeter meter(poll);
   for (;;) {
     const uint32_t v = queue.Pop();
-    const bool is_over = v == kNothing;
-    if (!is_over && is_settled[v]) continue;
-    if (is_over || settled % kPollPeriod == 0) {
-      absl::Status status = checkpoint.Poll(
-          {.vertices_reached = settled,
-           .vertices = mesh().vertex_count(),
-           .solver_bytes =
-               mesh().vertex_count() * (sizeof(double) + 1) + queue.bytes()});
-      if (!status.ok()) return status;
-    }
-    if (is_over) break;
+    if (v == kNothing) break;
+    if (!meter.Do()) return meter.status();
+    if (is_settled[v]) continue;
+    if (!meter.Do(ArcsOf(v).size() / kArcsAStep)) return meter.status();
     is_settled[v] = true;
     ++settled;
     for (const Arc& arc : ArcsOf(v)) {
@@ -307,6 +307,7 @@ absl::StatusOr<std::vector<double>> SaddleVertexGraph::Compute(
       queue.Push(arc.to, distance);
     }
   }
+  if (absl::Status status = poll(); !status.ok()) return status;
   for (double& d : distances) d = ToFileUnit(mesh(), d);
   return distances;
 }
@@ -319,8 +320,9 @@ uint64_t SaddleVertexGraph::bytes() const {
 SaddleGraphSearch::SaddleGraphSearch(const SaddleVertexGraph& graph)
     : graph_(graph), states_(graph.mesh().vertex_count()) {}
 
-double SaddleGraphSearch::Distance(uint32_t from, uint32_t to,
-                                   const Landmarks* landmarks) {
+absl::StatusOr<double> SaddleGraphSearch::Distance(uint32_t from, uint32_t to,
+                                                   const Landmarks* landmarks,
+                                                   Checkpoint& checkpoint) {
   const Mesh& mesh = graph_.mesh();
   for (const uint32_t v : reached_) states_[v] = {};
   reached_.clear();
@@ -346,8 +348,15 @@ double SaddleGraphSearch::Distance(uint32_t from, uint32_t to,
     waiting_.push_back({distance + state.bound, v});
     std::push_heap(waiting_.begin(), waiting_.end(), kAfter);
   };
+  const auto poll = [&] {
+    return checkpoint.Poll({.vertices_reached = reached_.size(),
+                            .vertices = mesh.vertex_count(),
+                            .solver_bytes = bytes()});
+  };
+  WorkMeter meter(poll);
   reach(from, 0);
   while (!waiting_.empty()) {
+    if (!meter.Do()) return meter.status();
     const auto [key, v] = waiting_.front();
     // Bounds are those of exact distances, which arcs are not shorter than but
     // for rounding.
@@ -358,6 +367,7 @@ double SaddleGraphSearch::Distance(uint32_t from, uint32_t to,
     if (key > state.distance + state.bound) continue;
     ++expanded_;
     const std::span<const Arc> arcs = graph_.ArcsOf(v);
+    if (!meter.Do(arcs.size() / kArcsAStep)) return meter.status();
     for (size_t i = 0; i < arcs.size(); ++i) {
       if (i + 2 * kAhead < arcs.size()) {
         __builtin_prefetch(&states_[arcs[i + 2 * kAhead].to]);

@@ -2,15 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <variant>
 
 #include "absl/strings/str_cat.h"
 #include "geodesic_types/field_path.h"
+#include "solver/work_meter.h"
 #include "surface/surface_location.h"
 
 namespace geodesic {
 namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 absl::Status Refuse(const std::string& path, ApproximateMethod method,
                     std::string_view what) {
@@ -59,7 +64,8 @@ absl::Status CheckPlaces(ApproximateMethod method, const Query& query) {
 
 absl::StatusOr<std::vector<Seed>> SeedsOf(const ValidQuery& query,
                                           const Mesh& mesh,
-                                          ApproximateMethod method) {
+                                          ApproximateMethod method,
+                                          Checkpoint& checkpoint) {
   if (!query->targets.empty()) {
     return Refuse("targets[0]", method,
                   "gives the distances of vertices alone; leave targets out");
@@ -74,28 +80,40 @@ absl::StatusOr<std::vector<Seed>> SeedsOf(const ValidQuery& query,
   }
   absl::Status status = CheckSources(method, query->sources);
   if (!status.ok()) return status;
-  std::vector<Seed> seeds;
+  // By vertex: very many sources may each have very many corners around them.
+  std::vector<double> nearest(mesh.vertex_count(), kInfinity);
+  std::vector<uint32_t> vertices;
+  const auto offer = [&](uint32_t v, double distance) {
+    if (std::isinf(nearest[v])) vertices.push_back(v);
+    nearest[v] = std::min(nearest[v], distance);
+  };
+  const auto poll = [&] {
+    return checkpoint.Poll(
+        {.vertices = mesh.vertex_count(),
+         .solver_bytes = nearest.size() * sizeof(double) +
+                         vertices.capacity() * sizeof(uint32_t)});
+  };
+  WorkMeter meter(poll);
   for (const Source& source : query->sources) {
     const auto& point = std::get<SurfacePoint>(source.place);
     const double offset = std::ldexp(source.offset, -mesh.scale_exponent());
     if (const auto* at = std::get_if<VertexPoint>(&point)) {
-      seeds.push_back({at->vertex, offset});
+      offer(at->vertex, offset);
       continue;
     }
-    for (const FacePoint& place : FacesAround(mesh, point)) {
+    VisitFacesAround(mesh, point, [&](const FacePoint& place) {
       for (uint32_t corner = 0; corner < 3; ++corner) {
-        seeds.push_back({mesh.triangle(place.face)[corner],
-                         offset + DistanceToCorner(mesh, place, corner)});
+        offer(mesh.triangle(place.face)[corner],
+              offset + DistanceToCorner(mesh, place, corner));
       }
-    }
+      return !meter.Do();
+    });
+    if (!meter.status().ok()) return meter.status();
   }
-  std::ranges::sort(seeds, [](const Seed& a, const Seed& b) {
-    return a.vertex != b.vertex ? a.vertex < b.vertex : a.distance < b.distance;
-  });
-  const auto repeated = std::unique(
-      seeds.begin(), seeds.end(),
-      [](const Seed& a, const Seed& b) { return a.vertex == b.vertex; });
-  seeds.erase(repeated, seeds.end());
+  std::ranges::sort(vertices);
+  std::vector<Seed> seeds;
+  seeds.reserve(vertices.size());
+  for (const uint32_t v : vertices) seeds.push_back({v, nearest[v]});
   return seeds;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "geodesic/checkpoint.h"
 #include "geodesic/mesh.h"
 #include "geodesic/valid_query.h"
 #include "geodesic_types/algorithms.h"
@@ -23,10 +24,11 @@ struct Seed {
 // A seed for each vertex that is a source or a corner of a face around one, in
 // the order of vertices.
 // Errors: INVALID_ARGUMENT naming what no approximate method does: curves,
-// targets, a trace.
+// targets, a trace; whatever `checkpoint` returns.
 absl::StatusOr<std::vector<Seed>> SeedsOf(const ValidQuery& query,
                                           const Mesh& mesh,
-                                          ApproximateMethod method);
+                                          ApproximateMethod method,
+                                          Checkpoint& checkpoint);
 
 }  // namespace geodesic
 

@@ -24,6 +24,7 @@
 #include "geodesic_types/field_path.h"
 #include "mesh/file_unit.h"
 #include "solver/thread_team.h"
+#include "solver/work_meter.h"
 #include "surface/plane_point.h"
 
 namespace geodesic {
@@ -361,19 +362,21 @@ ApproximateMethod TriangleUnfolding::method() const {
 absl::StatusOr<std::vector<double>> TriangleUnfolding::Compute(
     const ValidQuery& query, Checkpoint& checkpoint) const {
   const absl::StatusOr<std::vector<Seed>> seeds =
-      SeedsOf(query, mesh(), method());
+      SeedsOf(query, mesh(), method(), checkpoint);
   if (!seeds.ok()) return seeds.status();
   std::vector<double> distances(mesh().vertex_count(), kInfinity);
-  for (uint32_t v = 0; v < distances.size(); ++v) {
-    if (v % kPollPeriod == 0) {
-      absl::Status status =
-          checkpoint.Poll({.vertices_reached = v,
-                           .vertices = mesh().vertex_count(),
-                           .solver_bytes = distances.size() * sizeof(double)});
-      if (!status.ok()) return status;
-    }
+  uint32_t v = 0;
+  const auto poll = [&] {
+    return checkpoint.Poll({.vertices_reached = v,
+                            .vertices = mesh().vertex_count(),
+                            .solver_bytes = distances.size() * sizeof(double)});
+  };
+  if (absl::Status status = poll(); !status.ok()) return status;
+  WorkMeter meter(poll);
+  for (; v < distances.size(); ++v) {
     for (const auto& [seed, distance] : *seeds) {
       distances[v] = std::min(distances[v], distance + ScaledDistance(seed, v));
+      if (!meter.Do()) return meter.status();
     }
     distances[v] = ToFileUnit(mesh(), distances[v]);
   }

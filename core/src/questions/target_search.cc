@@ -13,7 +13,7 @@
 #include "mesh/file_unit.h"
 #include "questions/backward_bounds.h"
 #include "questions/first_path/first_path.h"
-#include "questions/paths/path_tracer.h"
+#include "questions/tracing/path_tracer.h"
 #include "solver/goal.h"
 #include "solver/queues/fwp_buckets.h"
 #include "solver/queues/queue.h"

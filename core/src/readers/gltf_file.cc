@@ -12,7 +12,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/string_view.h"
 #include "readers/byte_order.h"
-#include "readers/messages.h"
+#include "readers/reader_errors.h"
 
 namespace geodesic {
 namespace {

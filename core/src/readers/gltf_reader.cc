@@ -18,7 +18,7 @@
 #include "absl/status/statusor.h"
 #include "absl/strings/str_cat.h"
 #include "readers/gltf_file.h"
-#include "readers/messages.h"
+#include "readers/reader_errors.h"
 #include "readers/readers.h"
 #include "readers/soup_builder.h"
 

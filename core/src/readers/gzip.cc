@@ -10,7 +10,7 @@
 #include "geodesic/checkpoint.h"
 #include "readers/byte_order.h"
 #include "readers/inflater.h"
-#include "readers/messages.h"
+#include "readers/reader_errors.h"
 
 namespace geodesic {
 namespace {

@@ -13,7 +13,7 @@
 #include "absl/status/statusor.h"
 #include "absl/strings/str_cat.h"
 #include "readers/byte_order.h"
-#include "readers/messages.h"
+#include "readers/reader_errors.h"
 
 namespace geodesic {
 namespace {

@@ -5,7 +5,7 @@
 #include "absl/status/status.h"
 #include "absl/strings/str_cat.h"
 #include "geodesic/read_mesh.h"
-#include "readers/messages.h"
+#include "readers/reader_errors.h"
 #include "readers/soup_builder.h"
 
 namespace geodesic {

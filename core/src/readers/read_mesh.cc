@@ -14,7 +14,7 @@
 #include "geodesic/checkpoint.h"
 #include "geodesic/gzip.h"
 #include "mesh/split_touching.h"
-#include "readers/messages.h"
+#include "readers/reader_errors.h"
 #include "readers/readers.h"
 #include "readers/text_scanner.h"
 

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "geodesic/read_mesh.h"
-#include "readers/messages.h"
+#include "readers/reader_errors.h"
 #include "readers/soup_builder.h"
 #include "readers/text_scanner.h"
 

@@ -333,8 +333,11 @@ absl::Status PairQuestion::Approximate(const PairRow& row,
   for (const uint32_t number : row.pairs) {
     const uint32_t from = VertexOf(pairs_[number].source);
     const uint32_t to = VertexOf(pairs_[number].target);
-    distances.push_back(search ? search->Distance(from, to, landmarks.get())
-                               : unfolding->Distance(from, to));
+    const absl::StatusOr<double> distance =
+        search ? search->Distance(from, to, landmarks.get(), checkpoint)
+               : unfolding->Distance(from, to);
+    if (!distance.ok()) return distance.status();
+    distances.push_back(*distance);
     absl::Status status =
         checkpoint.Poll({.vertices = mesh_.vertex_count(),
                          .solver_bytes = search ? search->bytes() : 0});

@@ -19,16 +19,23 @@ std::vector<uint32_t> FiniteOnes(std::span<const double> values) {
   return columns;
 }
 
-// Of these the `count` least, in their order. O(n log count).
+// Of these the `count` least, in their order. O(n + count log count).
 std::vector<uint32_t> NearestOnes(std::span<const double> values,
                                   uint64_t count) {
-  std::vector<uint32_t> order = FiniteOnes(values);
-  const size_t kept = std::min<uint64_t>(count, order.size());
-  std::ranges::partial_sort(
-      order, order.begin() + static_cast<std::ptrdiff_t>(kept), {},
-      [&](uint32_t column) { return std::pair(values[column], column); });
-  order.resize(kept);
-  return order;
+  std::vector<std::pair<double, uint32_t>> order;
+  for (const uint32_t column : FiniteOnes(values)) {
+    order.emplace_back(values[column], column);
+  }
+  if (count < order.size()) {
+    std::ranges::nth_element(
+        order, order.begin() + static_cast<std::ptrdiff_t>(count));
+    order.resize(count);
+  }
+  std::ranges::sort(order);
+  std::vector<uint32_t> columns;
+  columns.reserve(order.size());
+  for (const auto& [value, column] : order) columns.push_back(column);
+  return columns;
 }
 
 }  // namespace

@@ -43,12 +43,12 @@ double AngleAt(const Mesh& mesh, HalfEdge h) {
   return std::atan2(mesh.frame(h).left_y, mesh.frame(h).left_x);
 }
 
-absl::StatusOr<Compass> Compass::At(const Mesh& mesh,
-                                    const SurfacePoint& point) {
+absl::StatusOr<Compass> Compass::At(const Mesh& mesh, const SurfacePoint& point,
+                                    GoesOn goes_on) {
   Compass compass(mesh);
   compass.point_ = point;
   if (const auto* vertex = std::get_if<VertexPoint>(&point)) {
-    absl::Status status = compass.GoAround(vertex->vertex);
+    absl::Status status = compass.GoAround(vertex->vertex, goes_on);
     if (!status.ok()) return status;
   } else if (const auto* edge = std::get_if<EdgePoint>(&point)) {
     // Both faces lie left of their half-edges; those are opposite.
@@ -92,7 +92,7 @@ void Compass::Add(const Sector& sector) {
   sectors_.push_back(sector);
 }
 
-absl::Status Compass::GoAround(uint32_t vertex) {
+absl::Status Compass::GoAround(uint32_t vertex, GoesOn goes_on) {
   const std::span<const HalfEdge> outgoing = mesh_.Outgoing(vertex);
   if (outgoing.empty()) {
     return absl::InvalidArgumentError(
@@ -109,6 +109,7 @@ absl::Status Compass::GoAround(uint32_t vertex) {
   double angle = 0, zero_angle = 0;
   HalfEdge h = first;
   do {
+    if (!goes_on()) return absl::CancelledError();
     if (h == outgoing[0]) zero_angle = angle;
     sectors.push_back({h, angle, AngleAt(mesh_, h)});
     angle += sectors.back().width;
@@ -121,6 +122,7 @@ absl::Status Compass::GoAround(uint32_t vertex) {
                      "half-disk"));
   }
   for (Sector& sector : sectors) {
+    if (!goes_on()) return absl::CancelledError();
     sector.begin -= zero_angle;
     Add(sector);
     spokes_.emplace(mesh_.To(sector.half_edge), sector.begin);
@@ -150,11 +152,13 @@ absl::StatusOr<Heading> Compass::At(double angle) const {
   return In(sector, std::clamp(at - sector.begin, 0.0, sector.width));
 }
 
-absl::StatusOr<Heading> Compass::Along(const Point& vector) const {
+absl::StatusOr<Heading> Compass::Along(const Point& vector,
+                                       GoesOn goes_on) const {
   const Point towards = Normalized(vector);
   std::optional<Heading> best;
   double most = 0;
   for (const Sector& sector : sectors_) {
+    if (!goes_on()) return absl::CancelledError();
     const Point along = DirectionInSpace(mesh_, sector.half_edge, {1, 0});
     const Point up = DirectionInSpace(mesh_, sector.half_edge, {0, 1});
     const PlanePoint projected = {DotInSpace(towards, along),

@@ -9,11 +9,11 @@
 #ifndef GEODESIC_SURFACE_COMPASS_H_
 #define GEODESIC_SURFACE_COMPASS_H_
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "absl/container/flat_hash_map.h"
+#include "absl/functional/function_ref.h"
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "geodesic/mesh.h"
@@ -35,17 +35,18 @@ double AngleAt(const Mesh& mesh, HalfEdge h);
 // Refers to the mesh. Thread-safe.
 class Compass {
  public:
+  // Asked for each face, once or twice, whether to go on.
+  using GoesOn = absl::FunctionRef<bool()>;
+
   // O(faces around the point). Errors: INVALID_ARGUMENT: the surface around it
-  // is not one oriented disk or half-disk.
-  static absl::StatusOr<Compass> At(const Mesh& mesh,
-                                    const SurfacePoint& point);
+  // is not one oriented disk or half-disk; CANCELLED: it does not go on.
+  static absl::StatusOr<Compass> At(const Mesh& mesh, const SurfacePoint& point,
+                                    GoesOn goes_on);
 
   // The unit vector in space of angle 0. At a vertex it runs along the first
   // half-edge of Mesh::Outgoing, at an edge point along the edge from the lower
   // vertex number to the higher, and in a face from corner 0 to corner 1.
   const Point& zero_direction() const { return zero_direction_; }
-
-  size_t sector_count() const { return sectors_.size(); }
 
   // The angle of a direction in the frame of h; NaN if its face does not lie
   // around the point.
@@ -57,8 +58,8 @@ class Compass {
   // of the surface, or is not finite.
   absl::StatusOr<Heading> At(double angle) const;
   // The way that makes the least angle with a vector in space. O(faces).
-  // Errors: INVALID_ARGUMENT: none makes less than a right angle.
-  absl::StatusOr<Heading> Along(const Point& vector) const;
+  // Errors: INVALID_ARGUMENT: none makes less than a right angle; CANCELLED.
+  absl::StatusOr<Heading> Along(const Point& vector, GoesOn goes_on) const;
 
  private:
   struct Sector {
@@ -70,7 +71,7 @@ class Compass {
   explicit Compass(const Mesh& mesh) : mesh_(mesh) {}
 
   void Add(const Sector& sector);
-  absl::Status GoAround(uint32_t vertex);
+  absl::Status GoAround(uint32_t vertex, GoesOn goes_on);
   // `within`: from where the sector begins, unscaled.
   Heading In(const Sector& sector, double within) const;
 

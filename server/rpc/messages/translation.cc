@@ -34,9 +34,12 @@ absl::Status AddAll(
   if (!status.ok()) return status;
   query.sources.reserve(sources.size());
   for (int i = 0; i < sources.size(); ++i) {
-    absl::StatusOr<Source> source =
-        codec::FromProto(sources[i], absl::StrCat("sources[", i, "]"));
-    if (!source.ok()) return source.status();
+    absl::StatusOr<Source> source = codec::FromProto(sources[i], "");
+    // Only what is wrong is named.
+    if (!source.ok()) {
+      return codec::FromProto(sources[i], absl::StrCat("sources[", i, "]"))
+          .status();
+    }
     query.sources.push_back(*std::move(source));
   }
   return absl::OkStatus();

@@ -17,6 +17,7 @@
 #include "tests/core/approximate/method_check.h"
 #include "tests/core/exactness/every_algorithm.h"
 #include "tests/support/checkpoints.h"
+#include "tests/support/meshes/crowded_meshes.h"
 #include "tests/support/meshes/curved_meshes.h"
 #include "tests/support/meshes/mesh_edits.h"
 #include "tests/support/meshes/planar_meshes.h"
@@ -253,6 +254,22 @@ TEST_P(EveryMethod, StopsWhenTheCheckpointSays) {
       EXPECT_TRUE(progress.distances.empty());
     }
   }
+}
+
+// Each source lies on an edge of very many faces and starts from all of their
+// corners.
+TEST_P(EveryMethod, AsksWhileSourcesLookAtVeryManyFaces) {
+  constexpr uint32_t kFaces = 1024, kSources = 256;
+  const auto mesh = BuildOrFail({"pages", Pages(kFaces)});
+  NoCheckpoint preparing;
+  const auto prepared =
+      PrepareMethod(*mesh, GetParam().method, kOptions, preparing);
+  if (!prepared.ok()) GTEST_SKIP() << prepared.status();
+  RecordingCheckpoint checkpoint;
+  (void)(*prepared)->Distances(
+      Valid(*mesh, {.sources = {kSources, {EdgePoint{0, 1, 0.5}}}}),
+      checkpoint);
+  EXPECT_GE(checkpoint.polls().size(), kSources * kFaces / 2048);
 }
 
 TEST_P(EveryMethod, IsSoundOrRefusesOnBadMeshes) {

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "tests/core/approximate/method_check.h"
+#include "tests/support/checkpoints.h"
+#include "tests/support/meshes/crowded_meshes.h"
 #include "tests/support/meshes/curved_meshes.h"
 #include "tests/support/meshes/planar_meshes.h"
 
@@ -116,6 +118,20 @@ TEST(FastMarching, TheUntidyQueueIsOffByBucketsAtTheMost) {
       worst = std::max(worst, std::abs(tidy[v] - untidy[v]));
     }
     EXPECT_LE(worst, h / 4);
+  }
+}
+
+// A vertex hands on to all of its faces, and there may be very many of these.
+TEST(FastMarching, AsksByFaces) {
+  const auto mesh = BuildOrFail({"triangles", AllTriangles(60)});
+  for (const auto method :
+       {ApproximateMethod::kFmm, ApproximateMethod::kFmmUntidy}) {
+    RecordingCheckpoint checkpoint;
+    ASSERT_TRUE(PrepareOrFail(*mesh, method)
+                    ->Distances(Valid(*mesh, {.sources = {{VertexPoint{0}}}}),
+                                checkpoint)
+                    .ok());
+    EXPECT_GE(checkpoint.polls().size(), 3 * mesh->face_count() / 6000);
   }
 }
 

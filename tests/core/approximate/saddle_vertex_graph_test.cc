@@ -192,9 +192,11 @@ TEST(SaddleGraphSearch, FindsWhatTheFieldSays) {
         AskOrFail(*graph, *mesh, {{VertexPoint{from}}});
     for (int j = 0; j < 20; ++j) {
       const uint32_t to = random.Below(mesh->vertex_count());
-      const double plain = search.Distance(from, to, nullptr);
+      const double plain =
+          search.Distance(from, to, nullptr, checkpoint).value();
       undirected += search.expanded();
-      const double guided = search.Distance(from, to, &landmarks);
+      const double guided =
+          search.Distance(from, to, &landmarks, checkpoint).value();
       directed += search.expanded();
       if (std::isinf(field[to])) {
         EXPECT_TRUE(std::isinf(plain));
@@ -203,11 +205,29 @@ TEST(SaddleGraphSearch, FindsWhatTheFieldSays) {
       }
       EXPECT_NEAR(plain, field[to], kArcTolerance * field[to]);
       EXPECT_NEAR(guided, field[to], kArcTolerance * field[to]);
-      EXPECT_NEAR(search.Distance(to, from, &landmarks), field[to],
-                  kArcTolerance * field[to]);
+      EXPECT_NEAR(search.Distance(to, from, &landmarks, checkpoint).value(),
+                  field[to], kArcTolerance * field[to]);
     }
   }
   EXPECT_LT(directed, undirected);
+}
+
+TEST(SaddleGraphSearch, StopsWhenItIsTold) {
+  const auto mesh = BuildOrFail({"sphere", Icosphere(5)});
+  const auto graph = GraphOrFail(*mesh, {.neighbours = 30});
+  const uint32_t farthest = mesh->vertex_count() - 1;
+  SaddleGraphSearch search(*graph);
+  RecordingCheckpoint whole;
+  const double distance = search.Distance(0, farthest, nullptr, whole).value();
+  ASSERT_GE(whole.polls().size(), search.expanded() / 2048);
+  ASSERT_GE(whole.polls().size(), 1u);
+  for (uint64_t poll = 0; poll < whole.polls().size(); ++poll) {
+    RecordingCheckpoint checkpoint(poll);
+    EXPECT_EQ(search.Distance(0, farthest, nullptr, checkpoint).status(),
+              RecordingCheckpoint::Stopped());
+  }
+  NoCheckpoint again;
+  EXPECT_EQ(search.Distance(0, farthest, nullptr, again).value(), distance);
 }
 
 TEST(SaddleVertexGraph, RefusesByName) {

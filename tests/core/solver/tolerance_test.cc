@@ -364,6 +364,15 @@ TEST(ToleranceTest, NothingIsGivenBeyondARadius) {
         ASSERT_LE(distance, radius);
         ++given;
       }
+      double largest = 0;
+      for (size_t w = 0; w < field.distances.size(); ++w) {
+        if (std::isinf(field.distances[w])) {
+          ASSERT_EQ(field.certified_errors[w], 0) << w;
+        }
+        largest = std::max<double>(largest, field.certified_errors[w]);
+      }
+      ASSERT_EQ(field.certified_error,
+                std::max<double>(largest, field.target_certified_errors[0]));
       ExpectCertified(field, query.tolerance, exact);
     }
   }

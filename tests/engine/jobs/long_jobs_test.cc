@@ -64,11 +64,10 @@ TEST(SchedulerLongTest, WhoAsksLittleWaitsLessForWhoAsksMuch) {
   Scheduler scheduler(executor, /*max_running=*/1, /*max_queued=*/9);
   scheduler.ObserveJobs(clock, [](const JobTimes&) {});
   const auto submit = [&](std::string client, std::function<void()> run) {
-    ASSERT_TRUE(
-        scheduler
-            .Submit({.client = client,
-                     .run = [run](std::stop_token) { run(); }})
-            .ok());
+    ASSERT_TRUE(scheduler
+                    .Submit({.client = client,
+                             .run = [run](std::stop_token) { run(); }})
+                    .ok());
   };
   // So that both have accounts: "much" has used a second more.
   submit("much", [&] { clock.Advance(std::chrono::seconds(1)); });

@@ -94,6 +94,37 @@ TEST_F(TracedPathsTest, LeadToTheirTargetsInOrder) {
   }
 }
 
+// Each path along the strip has far more points than the strip has vertices.
+class LongPathsTest : public test::EngineTest {
+ protected:
+  static Limits LittleMemory() {
+    Limits limits = SmallLimits();
+    limits.solver_memory_bytes = 2 << 20;
+    return limits;
+  }
+  LongPathsTest() : EngineTest(LittleMemory()) {}
+};
+
+TEST_F(LongPathsTest, BeyondTheMemoryOfSolversAreRefused) {
+  constexpr uint32_t kCells = 4000;
+  const auto uploaded = Upload(MakeGrid({.columns = kCells, .rows = 1}));
+  ASSERT_TRUE(uploaded.ok()) << uploaded.status();
+  FieldRequest request{.mesh_digest = uploaded->mesh.digest,
+                       .extras = {.paths = true}};
+  request.query.sources = {{VertexPoint{0}}};
+  request.query.targets.assign(16, VertexPoint{2 * kCells + 1});
+  const auto observer = std::make_shared<RecordingObserver>();
+  const FieldCall call = *engine_.fields().Compute(request, observer);
+  executor_.RunAll();
+  ASSERT_TRUE((*observer->answer).ok()) << observer->answer->status();
+  const auto rows = *engine_.rows().TracePaths(call, **observer->answer,
+                                               kNoDeadline, {}, [] {});
+  executor_.RunAll();
+  const auto row = rows->Take();
+  ASSERT_TRUE(row.has_value());
+  EXPECT_TRUE(absl::IsResourceExhausted(row->status())) << row->status();
+}
+
 TEST_F(TracedPathsTest, GoOnWhileTheServerDrains) {
   Ask(30);
   engine_.scheduler().BeginDrain();

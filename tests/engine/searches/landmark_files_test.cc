@@ -4,13 +4,30 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/engine/durable_fixture.h"
 #include "tests/support/meshes/curved_meshes.h"
+
+namespace {
+
+// Called once, before a file is flushed.
+std::function<void()> before_flush;
+
+}  // namespace
+
+// The C library's.
+extern "C" int fsync(int file) {
+  if (before_flush) std::exchange(before_flush, nullptr)();
+  return static_cast<int>(syscall(SYS_fsync, file));
+}
 
 namespace geodesic::server {
 namespace {
@@ -110,6 +127,14 @@ TEST_F(LandmarkFilesTest, AnotherVersionMakesItsOwn) {
 TEST_F(LandmarkFilesTest, TheyGoWithTheirMesh) {
   Wanted();
   EXPECT_TRUE(Delete(digest_).ok());
+  EXPECT_THAT(Files(), IsEmpty());
+}
+
+TEST_F(LandmarkFilesTest, TheyGoWithAMeshThatGoesWhileTheyAreWritten) {
+  absl::Status deleted = absl::UnknownError("not told");
+  before_flush = [&] { deleted = Delete(digest_); };
+  Wanted();
+  EXPECT_TRUE(deleted.ok()) << deleted;
   EXPECT_THAT(Files(), IsEmpty());
 }
 

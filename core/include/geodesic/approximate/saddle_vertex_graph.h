@@ -22,6 +22,7 @@
 
 #include "absl/status/statusor.h"
 #include "geodesic/approximate/prepared_method.h"
+#include "geodesic/checkpoint.h"
 #include "geodesic/landmarks.h"
 #include "geodesic/mesh.h"
 
@@ -116,8 +117,11 @@ class SaddleGraphSearch {
 
   // In the unit of the file; +infinity if no path leads. As far as the graph's
   // field says. `landmarks` may be null; they change the cost alone.
+  // Errors: whatever `checkpoint` returns.
   // REQUIRES: the vertices are of the mesh. Cost: what the search covers.
-  double Distance(uint32_t from, uint32_t to, const Landmarks* landmarks);
+  absl::StatusOr<double> Distance(uint32_t from, uint32_t to,
+                                  const Landmarks* landmarks,
+                                  Checkpoint& checkpoint);
 
   // How many vertices the last search has expanded.
   uint64_t expanded() const { return expanded_; }

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "readers/messages.h"
+#include "readers/reader_errors.h"
 #include "readers/soup_builder.h"
 
 namespace geodesic {

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "absl/status/statusor.h"
-#include "readers/messages.h"
+#include "readers/reader_errors.h"
 #include "readers/readers.h"
 #include "readers/soup_builder.h"
 #include "readers/text_scanner.h"
@@ -25,8 +25,6 @@ namespace {
 
 // The cells of an UNSTRUCTURED_GRID that are faces, or no part of a surface.
 constexpr int64_t kVertexCell = 1;
-constexpr int64_t kPolyVertexCell = 2;
-constexpr int64_t kLineCell = 3;
 constexpr int64_t kPolyLineCell = 4;
 constexpr int64_t kTriangleCell = 5;
 constexpr int64_t kPolygonCell = 7;

@@ -5,7 +5,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "geodesic/checkpoint.h"
-#include "readers/messages.h"
+#include "readers/reader_errors.h"
 #include "readers/text_scanner.h"
 #include "readers/vtk/vtk_numbers.h"
 

@@ -12,7 +12,7 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "absl/strings/str_cat.h"
-#include "readers/messages.h"
+#include "readers/reader_errors.h"
 #include "readers/readers.h"
 #include "readers/soup_builder.h"
 #include "readers/text_scanner.h"

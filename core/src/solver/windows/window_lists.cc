@@ -61,7 +61,8 @@ void WindowLists<OriginType>::Grow(HalfEdge h, uint32_t needed) {
 }
 
 template <typename OriginType>
-WindowLists<OriginType>::Block WindowLists<OriginType>::Cut(uint32_t room) {
+typename WindowLists<OriginType>::Block WindowLists<OriginType>::Cut(
+    uint32_t room) {
   const Block block = rest_;
   rest_room_ -= room;
   rest_ = {block.windows + room, block.labels + room};

@@ -31,7 +31,8 @@ inline constexpr double kPropagated = std::numeric_limits<double>::infinity();
 
 // One contiguous gap buffer a half-edge. The gap is the list's cursor: windows
 // are added before it and looked at after it, and it stays where it was left.
-// Neighbouring windows tend to arrive one after the other, so few move for each.
+// Neighbouring windows tend to arrive one after the other, so few move for
+// each.
 //
 // Pointers stay valid until the next Add. Room grows by doubling; blocks that
 // were outgrown are reused. Blocks are cut from chunks, which never move, so

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "mesh/scaled_difference.h"
-#include "questions/paths/straight_piece.h"
+#include "questions/tracing/straight_piece.h"
 #include "solver/windows/window.h"
 #include "solver/work_meter.h"
 #include "surface/surface_location.h"

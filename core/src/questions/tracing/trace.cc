@@ -18,7 +18,6 @@
 #include "absl/status/status.h"
 #include "absl/strings/str_cat.h"
 #include "geodesic_types/field_path.h"
-#include "solver/queues/queue.h"
 #include "solver/work_meter.h"
 #include "surface/compass.h"
 #include "tolerances.h"
@@ -325,7 +324,7 @@ absl::Status TraceLines(const Mesh& mesh, const LineQuestion& question,
     absl::Status status;
     if (line == begin || source > 0) {
       absl::StatusOr<LineTracer> made =
-          LineTracer::From(mesh, question.sources[source]);
+          LineTracer::From(mesh, question.sources[source], checkpoint);
       status = made.status();
       if (made.ok()) tracer = *std::move(made);
     }
@@ -342,10 +341,21 @@ absl::Status TraceLines(const Mesh& mesh, const LineQuestion& question,
 
 absl::StatusOr<LineTracer> LineTracer::From(const Mesh& mesh,
                                             const SurfacePoint& place) {
+  NoCheckpoint checkpoint;
+  return From(mesh, place, checkpoint);
+}
+
+absl::StatusOr<LineTracer> LineTracer::From(const Mesh& mesh,
+                                            const SurfacePoint& place,
+                                            Checkpoint& checkpoint) {
   absl::Status status = Validate(place, mesh, "source");
   if (!status.ok()) return status;
   const SurfacePoint canonical = Canonicalize(place, mesh);
-  absl::StatusOr<Compass> compass = Compass::At(mesh, canonical);
+  const auto poll = [&] { return checkpoint.Poll({}); };
+  WorkMeter meter(poll);
+  absl::StatusOr<Compass> compass =
+      Compass::At(mesh, canonical, [&meter] { return meter.Do(); });
+  if (!meter.status().ok()) return meter.status();
   if (!compass.ok()) {
     return InvalidField("source", std::string(compass.status().message()));
   }
@@ -360,18 +370,19 @@ LineTracer::LineTracer(LineTracer&&) noexcept = default;
 LineTracer& LineTracer::operator=(LineTracer&&) noexcept = default;
 LineTracer::~LineTracer() = default;
 
-absl::StatusOr<Heading> LineTracer::HeadingOf(
-    const LineDirection& direction) const {
+absl::StatusOr<Heading> LineTracer::HeadingOf(const LineDirection& direction,
+                                              WorkMeter& meter) const {
+  const auto goes_on = [&meter] { return meter.Do(); };
   if (const auto* angle = std::get_if<double>(&direction)) {
     return compass_->At(*angle);
   }
   if (const auto* vector = std::get_if<Point>(&direction)) {
-    return compass_->Along(*vector);
+    return compass_->Along(*vector, goes_on);
   }
   const Point from = PositionOf(place_, *mesh_);
   Point way = PositionOf(std::get<SurfacePoint>(direction), *mesh_);
   for (int i = 0; i < 3; ++i) way[i] -= from[i];
-  return compass_->Along(way);
+  return compass_->Along(way, goes_on);
 }
 
 absl::StatusOr<TracedLine> LineTracer::Trace(const LineDirection& direction,
@@ -388,16 +399,14 @@ absl::StatusOr<TracedLine> LineTracer::Trace(const LineDirection& direction,
   }
   absl::Status status = checkpoint.Poll({});
   if (!status.ok()) return status;
-  const absl::StatusOr<Heading> heading = HeadingOf(direction);
+  const auto poll = [&] { return checkpoint.Poll({}); };
+  WorkMeter meter(poll);
+  const absl::StatusOr<Heading> heading = HeadingOf(direction, meter);
+  if (!meter.status().ok()) return meter.status();
   if (!heading.ok()) {
     return InvalidField(
         "direction",
         absl::StrCat("direction: ", std::string(heading.status().message())));
-  }
-  // Both take long around a hub: the compass, made before, and the heading.
-  if (compass_->sector_count() >= kWorkBetweenPolls) {
-    status = checkpoint.Poll({});
-    if (!status.ok()) return status;
   }
   Walker walker(*mesh_, std::ldexp(length, -mesh_->scale_exponent()),
                 checkpoint);

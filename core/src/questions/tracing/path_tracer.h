@@ -1,11 +1,11 @@
 // Following a whole shortest path back, for PathTracer and TargetSearch.
 
-#ifndef GEODESIC_QUESTIONS_PATHS_PATH_TRACER_H_
-#define GEODESIC_QUESTIONS_PATHS_PATH_TRACER_H_
+#ifndef GEODESIC_QUESTIONS_TRACING_PATH_TRACER_H_
+#define GEODESIC_QUESTIONS_TRACING_PATH_TRACER_H_
 
 #include "absl/status/statusor.h"
 #include "geodesic/path.h"
-#include "questions/paths/traced_field.h"
+#include "questions/tracing/traced_field.h"
 #include "solver/work_meter.h"
 
 namespace geodesic {
@@ -17,4 +17,4 @@ absl::StatusOr<GeodesicPath> TracePath(const TracedField& field, PathEnd end,
 
 }  // namespace geodesic
 
-#endif  // GEODESIC_QUESTIONS_PATHS_PATH_TRACER_H_
+#endif  // GEODESIC_QUESTIONS_TRACING_PATH_TRACER_H_

@@ -1,4 +1,4 @@
-#include "questions/paths/straight_piece.h"
+#include "questions/tracing/straight_piece.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,8 +7,8 @@
 // last one. So the piece is found again by laying one face after the other into
 // the plane, from the last to the first.
 
-#ifndef GEODESIC_QUESTIONS_PATHS_STRAIGHT_PIECE_H_
-#define GEODESIC_QUESTIONS_PATHS_STRAIGHT_PIECE_H_
+#ifndef GEODESIC_QUESTIONS_TRACING_STRAIGHT_PIECE_H_
+#define GEODESIC_QUESTIONS_TRACING_STRAIGHT_PIECE_H_
 
 #include <cstdint>
 #include <optional>
@@ -17,7 +17,7 @@
 #include "absl/status/statusor.h"
 #include "geodesic/mesh.h"
 #include "geodesic/surface_point.h"
-#include "questions/paths/traced_field.h"
+#include "questions/tracing/traced_field.h"
 #include "solver/work_meter.h"
 #include "surface/surface_location.h"
 #include "tolerances.h"
@@ -69,4 +69,4 @@ bool Coincide(const Mesh& mesh, const SurfacePoint& point, uint32_t vertex);
 
 }  // namespace geodesic
 
-#endif  // GEODESIC_QUESTIONS_PATHS_STRAIGHT_PIECE_H_
+#endif  // GEODESIC_QUESTIONS_TRACING_STRAIGHT_PIECE_H_

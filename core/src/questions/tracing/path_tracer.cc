@@ -1,4 +1,4 @@
-#include "questions/paths/path_tracer.h"
+#include "questions/tracing/path_tracer.h"
 
 #include <algorithm>
 #include <limits>
@@ -7,8 +7,8 @@
 #include "absl/status/status.h"
 #include "absl/strings/str_cat.h"
 #include "geodesic/path.h"
-#include "questions/paths/straight_piece.h"
-#include "questions/paths/traced_field.h"
+#include "questions/tracing/straight_piece.h"
+#include "questions/tracing/traced_field.h"
 #include "surface/surface_location.h"
 
 namespace geodesic {

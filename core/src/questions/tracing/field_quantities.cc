@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "absl/status/status.h"
-#include "questions/paths/straight_piece.h"
-#include "questions/paths/traced_field.h"
+#include "questions/tracing/straight_piece.h"
+#include "questions/tracing/traced_field.h"
 #include "solver/work_meter.h"
 #include "surface/straight_line.h"
 #include "surface/surface_location.h"

@@ -1,4 +1,4 @@
-#include "questions/paths/traced_field.h"
+#include "questions/tracing/traced_field.h"
 
 #include <cmath>
 #include <span>

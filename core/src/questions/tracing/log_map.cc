@@ -13,8 +13,8 @@
 #include "absl/strings/str_cat.h"
 #include "geodesic/computation.h"
 #include "geodesic_types/field_path.h"
-#include "questions/paths/straight_piece.h"
-#include "questions/paths/traced_field.h"
+#include "questions/tracing/straight_piece.h"
+#include "questions/tracing/traced_field.h"
 #include "solver/work_meter.h"
 #include "surface/compass.h"
 
@@ -95,13 +95,15 @@ absl::StatusOr<LogMap> ComputeLogMap(const Mesh& mesh, const ValidQuery& query,
     return InvalidField("sources",
                         "sources: a log map has exactly one, which is a point");
   }
+  const auto poll = [&] { return checkpoint.Poll(ProgressOf(field)); };
+  WorkMeter meter(poll);
   absl::StatusOr<Compass> compass =
-      Compass::At(mesh, std::get<SurfacePoint>(sources[0].place));
+      Compass::At(mesh, std::get<SurfacePoint>(sources[0].place),
+                  [&meter] { return meter.Do(); });
+  if (!meter.status().ok()) return meter.status();
   if (!compass.ok()) return compass.status();
   LogMap map{.zero_direction = compass->zero_direction()};
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  const auto poll = [&] { return checkpoint.Poll(ProgressOf(field)); };
-  WorkMeter meter(poll);
   Departures departures(*traced, *compass, meter);
   map.coordinates.reserve(mesh.vertex_count());
   for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {

@@ -1,8 +1,8 @@
 // A field with a trace, and the query that it answers, ready for following
 // shortest paths back.
 
-#ifndef GEODESIC_QUESTIONS_PATHS_TRACED_FIELD_H_
-#define GEODESIC_QUESTIONS_PATHS_TRACED_FIELD_H_
+#ifndef GEODESIC_QUESTIONS_TRACING_TRACED_FIELD_H_
+#define GEODESIC_QUESTIONS_TRACING_TRACED_FIELD_H_
 
 #include <cstdint>
 #include <limits>
@@ -94,4 +94,4 @@ class TracedField {
 
 }  // namespace geodesic
 
-#endif  // GEODESIC_QUESTIONS_PATHS_TRACED_FIELD_H_
+#endif  // GEODESIC_QUESTIONS_TRACING_TRACED_FIELD_H_

@@ -1,7 +1,7 @@
 // Error messages of the mesh readers.
 
-#ifndef GEODESIC_READERS_MESSAGES_H_
-#define GEODESIC_READERS_MESSAGES_H_
+#ifndef GEODESIC_READERS_READER_ERRORS_H_
+#define GEODESIC_READERS_READER_ERRORS_H_
 
 #include <cstddef>
 #include <cstdint>
@@ -48,4 +48,4 @@ inline std::string NamesNoVertex(int64_t vertex, uint64_t vertices) {
 
 }  // namespace geodesic
 
-#endif  // GEODESIC_READERS_MESSAGES_H_
+#endif  // GEODESIC_READERS_READER_ERRORS_H_
